@@ -1,0 +1,274 @@
+"""Derivative rules of the structural expressions.
+
+One rule serves time derivatives and partial derivatives: `seed` says how fast each symbol moves.
+A rotation is never differentiated entry by entry: rotating a vector adds the cross product with the
+rotation's own axis, taken in the frame where that axis is a basis vector.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import singledispatch
+
+from armillary.algebra import scalar as s
+from armillary.algebra import vector as v
+from armillary.algebra.direction import Azimuth, Elevation, horizontal_length, is_unit
+from armillary.algebra.rotation import Rotation, factors, rotate
+
+Seed = Callable[[s.Symbol | v.VectorSymbol], "s.Scalar | v.Vector"]
+
+
+class Differentiator:
+    """Derivatives under one seed; each node of the graph is visited once."""
+
+    def __init__(self, seed: Seed) -> None:
+        self.seed = seed
+        self._scalars: dict[s.Scalar, s.Scalar] = {}
+        self._vectors: dict[v.Vector, v.Vector] = {}
+
+    def scalar(self, node: s.Scalar) -> s.Scalar:
+        if node not in self._scalars:
+            self._scalars[node] = _scalar(node, self)
+        return self._scalars[node]
+
+    def vector(self, node: v.Vector) -> v.Vector:
+        if node not in self._vectors:
+            self._vectors[node] = _vector(node, self)
+        return self._vectors[node]
+
+    def angular_velocity(self, rotation: Rotation) -> v.Vector:
+        """The vector w with d(R x) = w cross (R x) + R dx, in the outer frame."""
+        total: v.Vector = v.NULL
+        for factor in reversed(factors(rotation)):
+            spin = v.scale(self.scalar(factor.angle), v.Basis(factor.axis))
+            # An axis is left alone by its own rotation, so it may be added before or after it.
+            total = v.add_vectors(spin, rotate(factor, total))
+        return total
+
+
+def of_time(leaf: s.Symbol | v.VectorSymbol) -> s.Scalar | v.Vector:
+    """The seed of time derivatives: each symbol says how fast it moves."""
+    return leaf.velocity()
+
+
+def time_derivative(node: s.Scalar) -> s.Scalar:
+    """Time derivative of a scalar."""
+    return Differentiator(of_time).scalar(node)
+
+
+def vector_time_derivative(node: v.Vector) -> v.Vector:
+    """Time derivative of a vector's components in its own frame."""
+    return Differentiator(of_time).vector(node)
+
+
+def partial(node: s.Scalar, symbol: s.Symbol) -> s.Scalar:
+    """Partial derivative of a scalar by one symbol, all others held."""
+    return Differentiator(_only(symbol)).scalar(node)
+
+
+def partial_vector(node: v.Vector, symbol: s.Symbol) -> v.Vector:
+    """Partial derivative of a vector by one symbol, all others held."""
+    return Differentiator(_only(symbol)).vector(node)
+
+
+def _only(symbol: s.Symbol) -> Seed:
+    def seed(leaf: s.Symbol | v.VectorSymbol) -> s.Scalar | v.Vector:
+        if isinstance(leaf, v.VectorSymbol):
+            return v.NULL
+        return s.ONE if leaf is symbol else s.ZERO
+
+    return seed
+
+
+@singledispatch
+def _scalar(node: s.Scalar, d: Differentiator) -> s.Scalar:
+    raise TypeError(f"no derivative rule for {type(node).__name__}")
+
+
+@_scalar.register
+def _(node: s.Number, d: Differentiator) -> s.Scalar:
+    return s.ZERO
+
+
+@_scalar.register
+def _(node: s.Symbol, d: Differentiator) -> s.Scalar:
+    moved = d.seed(node)
+    assert isinstance(moved, s.Scalar)
+    return moved
+
+
+@_scalar.register
+def _(node: s.Add, d: Differentiator) -> s.Scalar:
+    return s.add(d.scalar(node.left), d.scalar(node.right))
+
+
+@_scalar.register
+def _(node: s.Multiply, d: Differentiator) -> s.Scalar:
+    return s.add(
+        s.multiply(d.scalar(node.left), node.right), s.multiply(node.left, d.scalar(node.right))
+    )
+
+
+@_scalar.register
+def _(node: s.Negate, d: Differentiator) -> s.Scalar:
+    return s.negate(d.scalar(node.argument))
+
+
+@_scalar.register
+def _(node: s.Divide, d: Differentiator) -> s.Scalar:
+    # (n / m)' = (n' - (n / m) m') / m: the quotient itself is used again.
+    change = s.add(
+        d.scalar(node.numerator), s.negate(s.multiply(node, d.scalar(node.denominator)))
+    )
+    return s.divide(change, node.denominator)
+
+
+@_scalar.register
+def _(node: s.SquareRoot, d: Differentiator) -> s.Scalar:
+    inner = node.argument
+    if isinstance(inner, s.Dot) and inner.left is inner.right:
+        # |v|' = v.v' / |v| without the factor two that comes and goes.
+        return s.divide(v.dot(inner.left, d.vector(inner.left)), node)
+    return s.divide(d.scalar(inner), s.multiply(s.number(2), node))
+
+
+@_scalar.register
+def _(node: s.Sine, d: Differentiator) -> s.Scalar:
+    return s.multiply(s.Cosine(node.argument), d.scalar(node.argument))
+
+
+@_scalar.register
+def _(node: s.Cosine, d: Differentiator) -> s.Scalar:
+    return s.negate(s.multiply(s.Sine(node.argument), d.scalar(node.argument)))
+
+
+@_scalar.register
+def _(node: s.ArcTangent, d: Differentiator) -> s.Scalar:
+    # Never y/x: the derivative is regular on the axes too.
+    dy, dx = d.scalar(node.y), d.scalar(node.x)
+    turn = s.add(s.multiply(node.x, dy), s.negate(s.multiply(node.y, dx)))
+    square = s.add(s.multiply(node.x, node.x), s.multiply(node.y, node.y))
+    return s.divide(turn, square)
+
+
+@_scalar.register
+def _(node: Azimuth, d: Differentiator) -> s.Scalar:
+    u = node.vector
+    du = d.vector(u)
+    turn = s.add(s.multiply(u.y, du.x), s.negate(s.multiply(u.x, du.y)))
+    # The square of one reciprocal: 1/rho serves the elevation too.
+    inverse = s.divide(s.ONE, horizontal_length(u))
+    return s.multiply(turn, s.multiply(inverse, inverse))
+
+
+@_scalar.register
+def _(node: Elevation, d: Differentiator) -> s.Scalar:
+    if is_unit(node.vector):
+        rise = d.vector(node.vector).z
+        return s.multiply(rise, s.divide(s.ONE, horizontal_length(node.vector)))
+    return d.scalar(node.explicit())
+
+
+@_scalar.register
+def _(node: s.Absolute, d: Differentiator) -> s.Scalar:
+    change = d.scalar(node.argument)
+    return s.Select(s.Less(node.argument, s.ZERO), s.negate(change), change)
+
+
+@_scalar.register
+def _(node: s.Select, d: Differentiator) -> s.Scalar:
+    return s.Select(node.condition, d.scalar(node.then), d.scalar(node.otherwise))
+
+
+@_scalar.register
+def _(node: s.Component, d: Differentiator) -> s.Scalar:
+    return v.component(d.vector(node.vector), node.index)
+
+
+@_scalar.register
+def _(node: s.Dot, d: Differentiator) -> s.Scalar:
+    if node.left is node.right:
+        return s.multiply(s.number(2), v.dot(node.left, d.vector(node.left)))
+    return s.add(v.dot(d.vector(node.left), node.right), v.dot(node.left, d.vector(node.right)))
+
+
+@_scalar.register
+def _(node: s.ScalarReference, d: Differentiator) -> s.Scalar:
+    return d.scalar(node.expression)
+
+
+@singledispatch
+def _vector(node: v.Vector, d: Differentiator) -> v.Vector:
+    raise TypeError(f"no derivative rule for {type(node).__name__}")
+
+
+@_vector.register
+def _(node: v.Components, d: Differentiator) -> v.Vector:
+    x, y, z = (d.scalar(c) for c in node.components)
+    return v.NULL if all(s.is_zero(c) for c in (x, y, z)) else v.Components((x, y, z))
+
+
+@_vector.register
+def _(node: v.Basis, d: Differentiator) -> v.Vector:
+    return v.NULL
+
+
+@_vector.register
+def _(node: v.VectorSymbol, d: Differentiator) -> v.Vector:
+    moved = d.seed(node)
+    assert isinstance(moved, v.Vector)
+    return moved
+
+
+@_vector.register
+def _(node: v.VectorSum, d: Differentiator) -> v.Vector:
+    return v.add_vectors(d.vector(node.left), d.vector(node.right))
+
+
+@_vector.register
+def _(node: v.VectorNegate, d: Differentiator) -> v.Vector:
+    return v.negate_vector(d.vector(node.argument))
+
+
+@_vector.register
+def _(node: v.Scaled, d: Differentiator) -> v.Vector:
+    return v.add_vectors(
+        v.scale(d.scalar(node.factor), node.vector), v.scale(node.factor, d.vector(node.vector))
+    )
+
+
+@_vector.register
+def _(node: v.Cross, d: Differentiator) -> v.Vector:
+    return v.add_vectors(
+        v.cross(d.vector(node.left), node.right), v.cross(node.left, d.vector(node.right))
+    )
+
+
+@_vector.register
+def _(node: v.Unit, d: Differentiator) -> v.Vector:
+    # u' = (v' - u (u.v')) / |v|: what is along u cannot turn it.
+    change = d.vector(node.vector)
+    if v.is_null(change):
+        return v.NULL
+    along = v.scale(v.dot(node, change), node)
+    return v.scale(s.divide(s.ONE, v.norm(node.vector)), change - along)
+
+
+@_vector.register
+def _(node: v.Rotated, d: Differentiator) -> v.Vector:
+    value, change = node.vector, d.vector(node.vector)
+    for factor in reversed(factors(node.rotation)):
+        speed = d.scalar(factor.angle)
+        turning = v.scale(speed, v.cross(v.Basis(factor.axis), rotate(factor, value)))
+        value, change = rotate(factor, value), v.add_vectors(turning, rotate(factor, change))
+    return change
+
+
+@_vector.register
+def _(node: v.Choice, d: Differentiator) -> v.Vector:
+    return d.vector(node.options[0])
+
+
+@_vector.register
+def _(node: v.VectorReference, d: Differentiator) -> v.Vector:
+    return d.vector(node.expression)

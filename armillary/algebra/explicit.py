@@ -1,0 +1,242 @@
+"""The text-book form: every structural expression as SymPy scalars and matrices.
+
+This is the proof side of the house. The program never sees these matrices; the page shows them, and
+an identity holds when their difference reduces to zero.
+"""
+
+from __future__ import annotations
+
+from functools import singledispatchmethod
+
+import sympy
+
+from armillary.algebra import scalar as s
+from armillary.algebra import vector as v
+from armillary.algebra.direction import Azimuth, Elevation
+from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench
+from armillary.algebra.rotation import Elementary, Rotation, factors
+
+Node = s.Scalar | s.Condition | v.Vector | Rotation | Pose | Twist | Wrench | Matrix
+
+
+class Explicit:
+    """Translates nodes to SymPy; one instance shares what the derivation shares.
+
+    `named` keeps references as symbols of their own instead of opening them.
+    """
+
+    def __init__(self, named: bool = False) -> None:
+        self.named = named
+        self._done: dict[int, tuple[Node, sympy.Basic]] = {}
+
+    def __call__(self, node: Node) -> sympy.Basic:
+        known = self._done.get(id(node))
+        if known is None:
+            known = (node, self.translate(node))  # the node is held, so its id stays its own
+            self._done[id(node)] = known
+        return known[1]
+
+    @singledispatchmethod
+    def translate(self, node: Node) -> sympy.Basic:
+        raise TypeError(f"no explicit form for {type(node).__name__}")
+
+    @translate.register
+    def _(self, node: s.Number) -> sympy.Basic:
+        return node.value
+
+    @translate.register
+    def _(self, node: s.Symbol) -> sympy.Basic:
+        return symbol(node.name)
+
+    @translate.register
+    def _(self, node: s.Add) -> sympy.Basic:
+        return self(node.left) + self(node.right)
+
+    @translate.register
+    def _(self, node: s.Multiply) -> sympy.Basic:
+        return self(node.left) * self(node.right)
+
+    @translate.register
+    def _(self, node: s.Negate) -> sympy.Basic:
+        return -self(node.argument)
+
+    @translate.register
+    def _(self, node: s.Divide) -> sympy.Basic:
+        return self(node.numerator) / self(node.denominator)
+
+    @translate.register
+    def _(self, node: s.SquareRoot) -> sympy.Basic:
+        return sympy.sqrt(self(node.argument))
+
+    @translate.register
+    def _(self, node: s.Sine) -> sympy.Basic:
+        return sympy.sin(self(node.argument))
+
+    @translate.register
+    def _(self, node: s.Cosine) -> sympy.Basic:
+        return sympy.cos(self(node.argument))
+
+    @translate.register
+    def _(self, node: s.ArcTangent) -> sympy.Basic:
+        return sympy.atan2(self(node.y), self(node.x))
+
+    @translate.register
+    def _(self, node: Azimuth) -> sympy.Basic:
+        return self(node.explicit())
+
+    @translate.register
+    def _(self, node: Elevation) -> sympy.Basic:
+        return self(node.explicit())
+
+    @translate.register
+    def _(self, node: s.Absolute) -> sympy.Basic:
+        return sympy.Abs(self(node.argument))
+
+    @translate.register
+    def _(self, node: s.Select) -> sympy.Basic:
+        return sympy.Piecewise(
+            (self(node.then), self(node.condition)), (self(node.otherwise), True)
+        )
+
+    @translate.register
+    def _(self, node: s.Component) -> sympy.Basic:
+        return self(node.vector)[node.index]
+
+    @translate.register
+    def _(self, node: s.Dot) -> sympy.Basic:
+        left, right = self(node.left), self(node.right)
+        return sum((left[i] * right[i] for i in range(3)), sympy.Integer(0))
+
+    @translate.register
+    def _(self, node: s.ScalarReference) -> sympy.Basic:
+        return symbol(node.name) if self.named else self(node.expression)
+
+    @translate.register
+    def _(self, node: s.Less) -> sympy.Basic:
+        return self(node.left) < self(node.right)
+
+    @translate.register
+    def _(self, node: s.Both) -> sympy.Basic:
+        return sympy.And(self(node.left), self(node.right))
+
+    @translate.register
+    def _(self, node: s.Not) -> sympy.Basic:
+        return sympy.Not(self(node.argument))
+
+    @translate.register
+    def _(self, node: s.ConditionReference) -> sympy.Basic:
+        return self(node.expression)
+
+    @translate.register
+    def _(self, node: v.Components) -> sympy.Basic:
+        return sympy.Matrix([self(c) for c in node.components])
+
+    @translate.register
+    def _(self, node: v.Basis) -> sympy.Basic:
+        return sympy.eye(3)[:, node.axis]
+
+    @translate.register
+    def _(self, node: v.VectorSymbol) -> sympy.Basic:
+        return vector_symbol(node.name)
+
+    @translate.register
+    def _(self, node: v.VectorSum) -> sympy.Basic:
+        return self(node.left) + self(node.right)
+
+    @translate.register
+    def _(self, node: v.VectorNegate) -> sympy.Basic:
+        return -self(node.argument)
+
+    @translate.register
+    def _(self, node: v.Scaled) -> sympy.Basic:
+        return self(node.factor) * self(node.vector)
+
+    @translate.register
+    def _(self, node: v.Cross) -> sympy.Basic:
+        return self(node.left).cross(self(node.right))
+
+    @translate.register
+    def _(self, node: v.Unit) -> sympy.Basic:
+        inner = self(node.vector)
+        return inner / sympy.sqrt(sum(c**2 for c in inner))
+
+    @translate.register
+    def _(self, node: v.Rotated) -> sympy.Basic:
+        return self(node.rotation) * self(node.vector)
+
+    @translate.register
+    def _(self, node: v.Choice) -> sympy.Basic:
+        return self(node.options[0])
+
+    @translate.register
+    def _(self, node: v.VectorReference) -> sympy.Basic:
+        return vector_symbol(node.name) if self.named else self(node.expression)
+
+    @translate.register
+    def _(self, node: Rotation) -> sympy.Basic:
+        product = sympy.eye(3)
+        for factor in factors(node):
+            product = product * elementary_matrix(factor.axis, self(factor.angle))
+        return product
+
+    @translate.register
+    def _(self, node: Elementary) -> sympy.Basic:
+        return elementary_matrix(node.axis, self(node.angle))
+
+    @translate.register
+    def _(self, node: Pose) -> sympy.Basic:
+        top = self(node.rotation).row_join(self(node.position))
+        return top.col_join(sympy.Matrix([[0, 0, 0, 1]]))
+
+    @translate.register
+    def _(self, node: Twist) -> sympy.Basic:
+        return self(node.linear).col_join(self(node.angular))
+
+    @translate.register
+    def _(self, node: Wrench) -> sympy.Basic:
+        return self(node.force).col_join(self(node.moment))
+
+    @translate.register
+    def _(self, node: Matrix) -> sympy.Basic:
+        return sympy.Matrix([[self(entry) for entry in row] for row in node.rows])
+
+
+def symbol(name: str) -> sympy.Symbol:
+    return sympy.Symbol(name, real=True)
+
+
+def vector_symbol(name: str) -> sympy.Matrix:
+    return sympy.Matrix([symbol(f"{name}_{axis}") for axis in v.AXIS_NAMES])
+
+
+def elementary_matrix(axis: int, angle: sympy.Expr) -> sympy.Matrix:
+    """The text-book matrix, entry by entry: active, right-handed."""
+    c, n = sympy.cos(angle), sympy.sin(angle)
+    return sympy.Matrix(
+        {
+            0: [[1, 0, 0], [0, c, -n], [0, n, c]],
+            1: [[c, 0, n], [0, 1, 0], [-n, 0, c]],
+            2: [[c, -n, 0], [n, c, 0], [0, 0, 1]],
+        }[axis]
+    )
+
+
+def reduce_trigonometry(expression: sympy.Expr) -> sympy.Expr:
+    """A normal form that is zero for every polynomial identity of sines and cosines."""
+    opened = sympy.expand(sympy.expand_trig(expression))
+    opened = sympy.together(opened)
+    numerator, denominator = sympy.fraction(opened)
+    numerator = sympy.expand(numerator)
+    replaced: dict[sympy.Expr, sympy.Symbol] = {}
+    for sine in sorted(numerator.atoms(sympy.sin), key=sympy.default_sort_key):
+        replaced[sine] = sympy.Dummy("s")
+    reduced = numerator.subs(replaced)
+    for sine, placeholder in replaced.items():
+        square = 1 - sympy.cos(sine.args[0]) ** 2
+        polynomial = sympy.Poly(reduced, placeholder)
+        even_odd = [sympy.Integer(0), sympy.Integer(0)]
+        for (power,), coefficient in polynomial.terms():
+            even_odd[power % 2] += coefficient * square ** (power // 2)
+        reduced = sympy.expand(even_odd[0] + even_odd[1] * placeholder)
+    back = {placeholder: sine for sine, placeholder in replaced.items()}
+    return sympy.expand(reduced).subs(back) / denominator

@@ -1,0 +1,321 @@
+"""Scalars: the leaves and the arithmetic of every derivation.
+
+A node is immutable and compared by identity: a derivation is a graph, and sharing a Python object
+*is* sharing the value. Nothing is simplified here beyond zeros and ones; the structure that was
+written is the structure that is kept.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, Union
+
+import sympy
+
+if TYPE_CHECKING:
+    from armillary.algebra.vector import Vector
+
+ScalarLike = Union["Scalar", int, float, Fraction, str]
+
+
+@dataclass(frozen=True, eq=False)
+class Scalar:
+    """A real number of the derivation; operators build new nodes."""
+
+    def __add__(self, other: ScalarLike) -> Scalar:
+        return add(self, as_scalar(other))
+
+    def __radd__(self, other: ScalarLike) -> Scalar:
+        return add(as_scalar(other), self)
+
+    def __sub__(self, other: ScalarLike) -> Scalar:
+        return add(self, negate(as_scalar(other)))
+
+    def __rsub__(self, other: ScalarLike) -> Scalar:
+        return add(as_scalar(other), negate(self))
+
+    def __mul__(self, other: ScalarLike) -> Scalar:
+        if not isinstance(other, (Scalar, int, float, Fraction, str)):
+            return NotImplemented
+        return multiply(self, as_scalar(other))
+
+    def __rmul__(self, other: ScalarLike) -> Scalar:
+        return multiply(as_scalar(other), self)
+
+    def __truediv__(self, other: ScalarLike) -> Scalar:
+        return divide(self, as_scalar(other))
+
+    def __rtruediv__(self, other: ScalarLike) -> Scalar:
+        return divide(as_scalar(other), self)
+
+    def __neg__(self) -> Scalar:
+        return negate(self)
+
+    def __pow__(self, exponent: int) -> Scalar:
+        if not isinstance(exponent, int) or exponent < 1:
+            raise TypeError(f"only whole powers from 1 up are kept as products, not {exponent!r}")
+        return self if exponent == 1 else multiply(self ** (exponent - 1), self)
+
+    def __lt__(self, other: ScalarLike) -> Condition:
+        return Less(self, as_scalar(other))
+
+    def __gt__(self, other: ScalarLike) -> Condition:
+        return Less(as_scalar(other), self)
+
+
+@dataclass(frozen=True, eq=False)
+class Number(Scalar):
+    """An exact number (a rational, pi, or an exact expression of them)."""
+
+    value: sympy.Expr
+
+
+@dataclass(frozen=True, eq=False)
+class Symbol(Scalar):
+    """A named scalar whose value comes from outside the derivation."""
+
+    name: str
+
+    def velocity(self) -> Scalar:
+        """Its time derivative; a plain symbol is held."""
+        return ZERO
+
+
+@dataclass(frozen=True, eq=False)
+class Add(Scalar):
+    left: Scalar
+    right: Scalar
+
+
+@dataclass(frozen=True, eq=False)
+class Multiply(Scalar):
+    left: Scalar
+    right: Scalar
+
+
+@dataclass(frozen=True, eq=False)
+class Negate(Scalar):
+    argument: Scalar
+
+
+@dataclass(frozen=True, eq=False)
+class Divide(Scalar):
+    numerator: Scalar
+    denominator: Scalar
+
+
+@dataclass(frozen=True, eq=False)
+class SquareRoot(Scalar):
+    argument: Scalar
+
+
+@dataclass(frozen=True, eq=False)
+class Sine(Scalar):
+    argument: Scalar
+
+
+@dataclass(frozen=True, eq=False)
+class Cosine(Scalar):
+    argument: Scalar
+
+
+@dataclass(frozen=True, eq=False)
+class ArcTangent(Scalar):
+    """The angle of the point (x, y), in [-pi, pi]."""
+
+    y: Scalar
+    x: Scalar
+
+
+@dataclass(frozen=True, eq=False)
+class Absolute(Scalar):
+    argument: Scalar
+
+
+@dataclass(frozen=True, eq=False)
+class Select(Scalar):
+    """One of two values; the other is never used, but it is evaluated, so it must stay finite."""
+
+    condition: Condition
+    then: Scalar
+    otherwise: Scalar
+
+
+@dataclass(frozen=True, eq=False)
+class Component(Scalar):
+    vector: Vector
+    index: int
+
+
+@dataclass(frozen=True, eq=False)
+class Dot(Scalar):
+    left: Vector
+    right: Vector
+
+
+@dataclass(frozen=True, eq=False)
+class ScalarReference(Scalar):
+    """A defined scalar: the name stands for the expression, which is kept."""
+
+    name: str
+    identifier: str
+    expression: Scalar
+
+
+@dataclass(frozen=True, eq=False)
+class Condition:
+    """A truth value that a `where` or a status depends on."""
+
+    def __and__(self, other: Condition) -> Condition:
+        return Both(self, other)
+
+    def __invert__(self) -> Condition:
+        return Not(self)
+
+    def __bool__(self) -> bool:
+        raise TypeError(
+            "a condition has no value while the derivation is written; "
+            "use where(condition, a, b) instead of if"
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Less(Condition):
+    left: Scalar
+    right: Scalar
+
+
+@dataclass(frozen=True, eq=False)
+class Both(Condition):
+    left: Condition
+    right: Condition
+
+
+@dataclass(frozen=True, eq=False)
+class Not(Condition):
+    argument: Condition
+
+
+@dataclass(frozen=True, eq=False)
+class ConditionReference(Condition):
+    name: str
+    identifier: str
+    expression: Condition
+
+
+ZERO = Number(sympy.Integer(0))
+ONE = Number(sympy.Integer(1))
+PI = Number(sympy.pi)
+
+
+def number(value: int | float | Fraction | str | sympy.Expr) -> Number:
+    """The exact number that was written: 23.45 is 2345/100, not its nearest binary fraction."""
+    if isinstance(value, sympy.Expr):
+        return Number(value)
+    exact = Fraction(str(value)) if isinstance(value, (float, str)) else Fraction(value)
+    if exact == 0:
+        return ZERO
+    if exact == 1:
+        return ONE
+    return Number(sympy.Rational(exact.numerator, exact.denominator))
+
+
+def as_scalar(value: Any) -> Scalar:
+    if isinstance(value, Scalar):
+        return value
+    if isinstance(value, (int, float, Fraction, str, sympy.Expr)):
+        return number(value)
+    raise TypeError(f"expected a scalar or a number, not {value!r}")
+
+
+def is_zero(node: Scalar) -> bool:
+    return isinstance(node, Number) and node.value == 0
+
+
+def is_one(node: Scalar) -> bool:
+    return isinstance(node, Number) and node.value == 1
+
+
+def add(left: Scalar, right: Scalar) -> Scalar:
+    if is_zero(left):
+        return right
+    if is_zero(right):
+        return left
+    return Add(left, right)
+
+
+def multiply(left: Scalar, right: Scalar) -> Scalar:
+    if is_zero(left) or is_zero(right):
+        return ZERO
+    if is_one(left):
+        return right
+    if is_one(right):
+        return left
+    return Multiply(left, right)
+
+
+def negate(argument: Scalar) -> Scalar:
+    if is_zero(argument):
+        return argument
+    if isinstance(argument, Negate):
+        return argument.argument
+    return Negate(argument)
+
+
+def divide(numerator: Scalar, denominator: Scalar) -> Scalar:
+    if is_zero(denominator):
+        raise ZeroDivisionError("division by the number 0 in a derivation")
+    if is_zero(numerator):
+        return ZERO
+    return numerator if is_one(denominator) else Divide(numerator, denominator)
+
+
+def sin(angle: ScalarLike) -> Scalar:
+    """Sine of an angle in radians."""
+    return Sine(as_scalar(angle))
+
+
+def cos(angle: ScalarLike) -> Scalar:
+    """Cosine of an angle in radians."""
+    return Cosine(as_scalar(angle))
+
+
+def sqrt(value: ScalarLike) -> Scalar:
+    """Square root; the argument must be non-negative wherever the kernel is called."""
+    return SquareRoot(as_scalar(value))
+
+
+def atan2(y: ScalarLike, x: ScalarLike) -> Scalar:
+    """Angle of the point (x, y), in [-pi, pi]; guard (0, 0) with `where`."""
+    return ArcTangent(as_scalar(y), as_scalar(x))
+
+
+def absolute(value: ScalarLike) -> Scalar:
+    """Absolute value."""
+    return Absolute(as_scalar(value))
+
+
+def hypot(x: ScalarLike, y: ScalarLike) -> Scalar:
+    """sqrt(x^2 + y^2)."""
+    x, y = as_scalar(x), as_scalar(y)
+    return SquareRoot(add(multiply(x, x), multiply(y, y)))
+
+
+def where(condition: Condition, then: ScalarLike, otherwise: ScalarLike) -> Scalar:
+    """`then` where the condition holds, else `otherwise`; both are evaluated."""
+    return Select(condition, as_scalar(then), as_scalar(otherwise))
+
+
+def wrap(angle: ScalarLike) -> Scalar:
+    """The same angle in [-pi, pi]."""
+    angle = as_scalar(angle)
+    return ArcTangent(Sine(angle), Cosine(angle))
+
+
+def degrees(value: ScalarLike) -> Scalar:
+    """A number of degrees, in radians."""
+    value = as_scalar(value)
+    if isinstance(value, Number):
+        return Number(value.value * sympy.pi / 180)
+    return multiply(value, Number(sympy.pi / 180))

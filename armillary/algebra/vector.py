@@ -1,0 +1,222 @@
+"""Vectors of three components, kept whole until the program is printed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from armillary.algebra.scalar import (
+    ONE,
+    ZERO,
+    Component,
+    Divide,
+    Dot,
+    Negate,
+    Scalar,
+    ScalarLike,
+    SquareRoot,
+    as_scalar,
+    is_one,
+    is_zero,
+    negate,
+)
+
+if TYPE_CHECKING:
+    from armillary.algebra.rotation import Rotation
+
+AXIS_NAMES = "xyz"
+
+
+@dataclass(frozen=True, eq=False)
+class Vector:
+    """Three components in one frame."""
+
+    @property
+    def x(self) -> Scalar:
+        return component(self, 0)
+
+    @property
+    def y(self) -> Scalar:
+        return component(self, 1)
+
+    @property
+    def z(self) -> Scalar:
+        return component(self, 2)
+
+    def __getitem__(self, index: int) -> Scalar:
+        return component(self, index)
+
+    def __add__(self, other: Vector) -> Vector:
+        return add_vectors(self, other)
+
+    def __sub__(self, other: Vector) -> Vector:
+        return add_vectors(self, negate_vector(other))
+
+    def __neg__(self) -> Vector:
+        return negate_vector(self)
+
+    def __mul__(self, factor: ScalarLike) -> Vector:
+        return scale(as_scalar(factor), self)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, divisor: ScalarLike) -> Vector:
+        return scale(Divide(ONE, as_scalar(divisor)), self)
+
+    def dot(self, other: Vector) -> Scalar:
+        return dot(self, other)
+
+    def cross(self, other: Vector) -> Vector:
+        return cross(self, other)
+
+    def norm(self) -> Scalar:
+        return norm(self)
+
+
+@dataclass(frozen=True, eq=False)
+class Components(Vector):
+    components: tuple[Scalar, Scalar, Scalar]
+
+
+@dataclass(frozen=True, eq=False)
+class Basis(Vector):
+    """One of the unit vectors of the frame it is written in (0 is x, 1 is y, 2 is z)."""
+
+    axis: int
+
+
+@dataclass(frozen=True, eq=False)
+class VectorSymbol(Vector):
+    """A named vector whose components come from outside the derivation."""
+
+    name: str
+
+    @property
+    def unit_norm(self) -> bool:
+        """Whether its norm is known to be 1."""
+        return False
+
+    def velocity(self) -> Vector:
+        """Its time derivative; a plain symbol is held."""
+        return NULL
+
+
+@dataclass(frozen=True, eq=False)
+class VectorSum(Vector):
+    left: Vector
+    right: Vector
+
+
+@dataclass(frozen=True, eq=False)
+class VectorNegate(Vector):
+    argument: Vector
+
+
+@dataclass(frozen=True, eq=False)
+class Scaled(Vector):
+    factor: Scalar
+    vector: Vector
+
+
+@dataclass(frozen=True, eq=False)
+class Cross(Vector):
+    left: Vector
+    right: Vector
+
+
+@dataclass(frozen=True, eq=False)
+class Unit(Vector):
+    """The direction of a vector: known to have norm 1."""
+
+    vector: Vector
+
+
+@dataclass(frozen=True, eq=False)
+class Rotated(Vector):
+    rotation: Rotation
+    vector: Vector
+
+
+@dataclass(frozen=True, eq=False)
+class Choice(Vector):
+    """Equal expressions of one vector; the program takes the direction that costs least."""
+
+    options: tuple[Vector, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class VectorReference(Vector):
+    """A defined vector: the name stands for the expression, which is kept."""
+
+    name: str
+    identifier: str
+    expression: Vector
+
+
+NULL = Components((ZERO, ZERO, ZERO))
+
+
+def vector(x: ScalarLike, y: ScalarLike, z: ScalarLike) -> Vector:
+    """A vector from its components."""
+    return Components((as_scalar(x), as_scalar(y), as_scalar(z)))
+
+
+def is_null(node: Vector) -> bool:
+    return isinstance(node, Components) and all(is_zero(c) for c in node.components)
+
+
+def component(node: Vector, index: int) -> Scalar:
+    if isinstance(node, Components):
+        return node.components[index]
+    if isinstance(node, Basis):
+        return ONE if node.axis == index else ZERO
+    return Component(node, index)
+
+
+def add_vectors(left: Vector, right: Vector) -> Vector:
+    if is_null(left):
+        return right
+    if is_null(right):
+        return left
+    return VectorSum(left, right)
+
+
+def negate_vector(node: Vector) -> Vector:
+    if is_null(node):
+        return node
+    return node.argument if isinstance(node, VectorNegate) else VectorNegate(node)
+
+
+def scale(factor: Scalar, node: Vector) -> Vector:
+    if is_zero(factor) or is_null(node):
+        return NULL
+    if is_one(factor):
+        return node
+    if isinstance(factor, Negate):
+        return negate_vector(scale(negate(factor), node))
+    return Scaled(factor, node)
+
+
+def dot(left: Vector, right: Vector) -> Scalar:
+    if is_null(left) or is_null(right):
+        return ZERO
+    if isinstance(left, Basis):
+        return component(right, left.axis)
+    if isinstance(right, Basis):
+        return component(left, right.axis)
+    return Dot(left, right)
+
+
+def cross(left: Vector, right: Vector) -> Vector:
+    if is_null(left) or is_null(right):
+        return NULL
+    return Cross(left, right)
+
+
+def norm(node: Vector) -> Scalar:
+    return SquareRoot(Dot(node, node))
+
+
+def unit(node: Vector) -> Vector:
+    """The direction of a vector that is never null where the kernel is called."""
+    return Unit(node)

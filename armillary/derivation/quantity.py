@@ -1,0 +1,160 @@
+"""Quantities: what a derivation starts from, with meaning, unit, limits, range and rate."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import Enum
+
+import sympy
+
+from armillary.algebra.scalar import ZERO, Scalar, Symbol
+from armillary.algebra.vector import NULL, Vector, VectorSymbol
+from armillary.derivation.errors import DerivationError, Source
+from armillary.derivation.units import METRE, ONE, RADIAN, Unit
+
+
+class Rate(Enum):
+    """How often a quantity changes."""
+
+    MOUNT = "mount"
+    DAY = "day"
+    TICK = "tick"
+
+
+class Role(Enum):
+    """How a quantity enters a kernel."""
+
+    INPUT = "input"
+    PARAMETER = "parameter"
+    STATE = "state"
+    CONSTANT = "constant"
+
+
+class Kind(Enum):
+    """What values have a physical meaning."""
+
+    REAL = "real"
+    NON_NEGATIVE = "non-negative"
+    UNIT_VECTOR = "unit vector"
+
+
+@dataclass(frozen=True)
+class Facts:
+    """What is known of a quantity beside its name.
+
+    `limits` bound what a kernel accepts; `range` is where error bounds are stated.
+    """
+
+    meaning: str
+    unit: Unit
+    rate: Rate
+    role: Role
+    kind: Kind
+    limits: tuple[float, float]
+    range: tuple[float, float]
+    latex: str
+    source: Source
+
+
+RateMaker = Callable[["Quantity | VectorQuantity", str | None, str | None], "Symbol | VectorSymbol"]
+
+
+@dataclass(frozen=True, eq=False)
+class Quantity(Symbol):
+    """A scalar quantity of a derivation."""
+
+    facts: Facts
+    make_rate: RateMaker
+    known_rate: dict[str, Symbol]
+
+    @property
+    def unit(self) -> Unit:
+        return self.facts.unit
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return ()
+
+    def rate(self, name: str | None = None, meaning: str | None = None) -> Symbol:
+        """The time derivative as a quantity of its own, `<name>_dot` unless named."""
+        if "rate" not in self.known_rate:
+            made = self.make_rate(self, name, meaning)
+            assert isinstance(made, Symbol)
+            self.known_rate["rate"] = made
+        return self.known_rate["rate"]
+
+    def velocity(self) -> Scalar:
+        """Its time derivative: zero unless it changes from tick to tick or was given a rate."""
+        if "rate" in self.known_rate:
+            return self.known_rate["rate"]
+        if self.facts.role is Role.INPUT and self.facts.rate is Rate.TICK:
+            raise DerivationError(
+                f"{self.name} changes every tick, but it has no rate to differentiate with",
+                f"write {self.name}_dot = {self.name}.rate() before differentiating",
+                self.facts.source,
+            )
+        return ZERO
+
+
+@dataclass(frozen=True, eq=False)
+class VectorQuantity(VectorSymbol):
+    """A vector quantity of a derivation."""
+
+    facts: Facts
+    make_rate: RateMaker
+    known_rate: dict[str, VectorSymbol]
+
+    @property
+    def unit(self) -> Unit:
+        return self.facts.unit
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return (3,)
+
+    @property
+    def unit_norm(self) -> bool:
+        return self.facts.kind is Kind.UNIT_VECTOR
+
+    def rate(self, name: str | None = None, meaning: str | None = None) -> VectorSymbol:
+        """The time derivative as a quantity of its own, `<name>_dot` unless named."""
+        if "rate" not in self.known_rate:
+            made = self.make_rate(self, name, meaning)
+            assert isinstance(made, VectorSymbol)
+            self.known_rate["rate"] = made
+        return self.known_rate["rate"]
+
+    def velocity(self) -> Vector:
+        return self.known_rate.get("rate", NULL)
+
+
+@dataclass(frozen=True, eq=False)
+class Constant(Symbol):
+    """A named number of the derivation, exact, with a unit."""
+
+    value: sympy.Expr
+    facts: Facts
+
+    @property
+    def unit(self) -> Unit:
+        return self.facts.unit
+
+
+AnyQuantity = Quantity | VectorQuantity
+
+
+def default_limits(unit: Unit, kind: Kind) -> tuple[float, float]:
+    """The wide box of a unit: beyond it an input is refused."""
+    if kind is Kind.UNIT_VECTOR:
+        return (-1.001, 1.001)
+    wide = 1e3 if unit.agrees(ONE) else 1e6
+    return (0.0 if kind is Kind.NON_NEGATIVE else -wide, wide)
+
+
+def default_range(unit: Unit, kind: Kind) -> tuple[float, float]:
+    """The working range of a unit: what trackers are made of."""
+    if kind is Kind.UNIT_VECTOR:
+        return (-1.0, 1.0)
+    half = {RADIAN: 3.2, METRE: 10.0}.get(unit, 1.0)
+    return (0.0 if kind is Kind.NON_NEGATIVE else -half, half)

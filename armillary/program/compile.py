@@ -1,0 +1,84 @@
+"""From a kernel to its cheapest program, each pass proved on the way."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from armillary.derivation.record import Kernel
+from armillary.program.arithmetic import Reals
+from armillary.program.cost import Cost, cost
+from armillary.program.evaluate import evaluate
+from armillary.program.lower import Strategy, lower, strategies
+from armillary.program.passes import PASSES
+from armillary.program.program import Program
+from armillary.program.sample import sample_points
+from armillary.program.scalarise import scalarise
+
+Pass = Callable[[Program], Program]
+AGREEMENT = "1e-40"
+
+
+class PassError(AssertionError):
+    """A pass changed a value or raised the cost: a defect of the pass."""
+
+
+@dataclass(frozen=True)
+class Compiled:
+    """A kernel's program with the direction of evaluation that was chosen."""
+
+    program: Program
+    strategy: Strategy
+    cost: Cost
+
+
+def compile_kernel(kernel: Kernel) -> Compiled:
+    """Lower with every strategy, run the passes, keep the cheapest, prove it."""
+    best: Compiled | None = None
+    for strategy in strategies():
+        program = lower(kernel, strategy)
+        for step in (scalarise, *PASSES):
+            program = step(program)
+        found = Compiled(program, strategy, cost(program))
+        if best is None or found.cost.weighted < best.cost.weighted:
+            best = found
+    assert best is not None
+    _prove(kernel, best.strategy)
+    return best
+
+
+def _prove(kernel: Kernel, strategy: Strategy) -> None:
+    """Run the passes again, comparing values and cost after each."""
+    program = lower(kernel, strategy)
+    plain = lower(kernel, Strategy())
+    points = sample_points(kernel, 2)
+    expected = [_values(plain, point) for point in points]
+    before = cost(program).weighted
+    for step in (_same, scalarise, *PASSES):
+        program = step(program)
+        after = cost(program).weighted
+        if after > before:
+            raise PassError(f"{step.__name__} raised the cost of {program.name}: {before} to {after}")
+        before = after
+        for point, wanted in zip(points, expected, strict=True):
+            _compare(step.__name__, program, _values(program, point), wanted)
+
+
+def _same(program: Program) -> Program:
+    return program
+
+
+def _values(program: Program, point: dict[str, object]) -> list[object]:
+    answer = evaluate(program, point, Reals())
+    flat: list[object] = [answer.status]
+    for value in answer.results.values():
+        flat.extend(value if isinstance(value, list) else [value])
+    return flat
+
+
+def _compare(step: str, program: Program, found: list[object], wanted: list[object]) -> None:
+    reals = Reals()
+    for a, b in zip(found, wanted, strict=True):
+        difference = abs(reals.number(a) - reals.number(b))
+        if difference > reals.number(AGREEMENT) * (1 + abs(reals.number(b))):
+            raise PassError(f"{step} changed a value of {program.name} by {difference}")

@@ -1,0 +1,60 @@
+"""What a program costs: operations by kind, and one weighted figure."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+
+from armillary.program.program import Op, Program
+
+# A vector operation counts as what it would cost if nothing of it were zero.
+_OPENED: dict[Op, dict[Op, int]] = {
+    Op.ADD_VECTORS: {Op.ADD: 3},
+    Op.SCALE: {Op.MULTIPLY: 3},
+    Op.ROTATE: {Op.MULTIPLY: 4, Op.ADD: 2},
+    Op.CROSS: {Op.MULTIPLY: 6, Op.ADD: 3},
+    Op.DOT: {Op.MULTIPLY: 3, Op.ADD: 2},
+}
+
+
+@dataclass(frozen=True)
+class Cost:
+    """Operation counts; guards, signs, comparisons and selections are apart."""
+
+    add: int
+    multiply: int
+    divide: int
+    sqrt: int
+    trigonometry: int
+    inverse: int
+
+    @property
+    def flops(self) -> int:
+        return self.add + self.multiply + self.divide + self.sqrt
+
+    @property
+    def weighted(self) -> int:
+        cheap = self.add + self.multiply
+        return cheap + 14 * (self.divide + self.sqrt) + 40 * (self.trigonometry + self.inverse)
+
+    def __str__(self) -> str:
+        return (
+            f"{self.flops} flops ({self.multiply} mul, {self.add} add, {self.divide} div, "
+            f"{self.sqrt} sqrt), {self.trigonometry} sin/cos, {self.inverse} atan2"
+        )
+
+
+def cost(program: Program) -> Cost:
+    """The cost of one call."""
+    count: Counter[Op] = Counter()
+    for instruction in program.instructions:
+        for op, times in _OPENED.get(instruction.op, {instruction.op: 1}).items():
+            count[op] += times
+    return Cost(
+        count[Op.ADD],
+        count[Op.MULTIPLY],
+        count[Op.DIVIDE],
+        count[Op.SQRT],
+        count[Op.SIN] + count[Op.COS],
+        count[Op.ATAN2],
+    )

@@ -1,0 +1,150 @@
+"""Runs a program on any number system: the reference that every target is compared with."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from armillary.derivation.status import Status, worse
+from armillary.program.arithmetic import Arithmetic, Reals
+from armillary.program.guards import Guard
+from armillary.program.program import Instruction, Op, Program
+
+Inputs = Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a kernel returns; `results` is empty when the status is negative."""
+
+    status: int
+    results: dict[str, Any]
+
+
+def evaluate(program: Program, inputs: Inputs, arithmetic: Arithmetic | None = None) -> Answer:
+    """Run a program; scalars by name, vectors as sequences. Guards are not applied.
+
+    Results are scalars or flat row-major lists.
+    """
+    run = _Run(inputs, arithmetic or Reals())
+    values: list[Any] = []
+    for instruction in program.instructions:
+        values.append(run.step(instruction, values))
+    status = int(Status.OK)
+    for case, condition in program.cases:
+        if values[condition]:
+            status = worse(status, int(case))
+    if status < 0:
+        return Answer(status, {})
+    results = {
+        r.name: values[r.entries[0]] if r.shape == () else [values[e] for e in r.entries]
+        for r in program.results
+    }
+    return Answer(status, results)
+
+
+def guard_status(guards: Sequence[Guard], inputs: Mapping[str, Any]) -> int:
+    """What the guards say of plain float inputs: 0, NOT_FINITE or OUT_OF_RANGE."""
+    status = int(Status.OK)
+    for guard in guards:
+        if guard.norm:
+            value = float(sum(float(c) * float(c) for c in inputs[guard.name]))
+        else:
+            whole = inputs[guard.name]
+            value = float(whole if guard.index is None else whole[guard.index])
+        if guard.low <= value <= guard.high:
+            continue
+        finite = value == value and abs(value) != float("inf")
+        status = worse(status, int(Status.OUT_OF_RANGE if finite else Status.NOT_FINITE))
+    return status
+
+
+class _Run:
+    def __init__(self, inputs: Inputs, arithmetic: Arithmetic) -> None:
+        self.inputs, self.a = inputs, arithmetic
+
+    def step(self, instruction: Instruction, values: list[Any]) -> Any:
+        rule = getattr(self, instruction.op.value)
+        return rule(instruction.data, *(values[k] for k in instruction.args))
+
+    def constant(self, data: Any) -> Any:
+        return self.a.constant(data)
+
+    def input(self, data: Any) -> Any:
+        return self.inputs[data[0]][data[1]] if isinstance(data, tuple) else self.inputs[data]
+
+    def negate(self, _: Any, x: Any) -> Any:
+        return self.a.negate(x)
+
+    def add(self, _: Any, x: Any, y: Any) -> Any:
+        return self.a.add(x, y)
+
+    def multiply(self, _: Any, x: Any, y: Any) -> Any:
+        return self.a.multiply(x, y)
+
+    def divide(self, _: Any, x: Any, y: Any) -> Any:
+        return self.a.divide(x, y)
+
+    def sqrt(self, _: Any, x: Any) -> Any:
+        return self.a.sqrt(x)
+
+    def sin(self, _: Any, x: Any) -> Any:
+        return self.a.sin(x)
+
+    def cos(self, _: Any, x: Any) -> Any:
+        return self.a.cos(x)
+
+    def atan2(self, _: Any, y: Any, x: Any) -> Any:
+        return self.a.atan2(y, x)
+
+    def absolute(self, _: Any, x: Any) -> Any:
+        return self.a.absolute(x)
+
+    def less(self, _: Any, x: Any, y: Any) -> bool:
+        return self.a.less(x, y)
+
+    def both(self, _: Any, x: bool, y: bool) -> bool:
+        return x and y
+
+    def select(self, _: Any, condition: bool, then: Any, otherwise: Any) -> Any:
+        return then if condition else otherwise
+
+    def pack(self, _: Any, *components: Any) -> Any:
+        return list(components)
+
+    def pick(self, data: Any, vector: Any) -> Any:
+        return vector[data]
+
+    def add_vectors(self, _: Any, x: Any, y: Any) -> Any:
+        return [self.a.add(p, q) for p, q in zip(x, y, strict=True)]
+
+    def negate_vector(self, _: Any, x: Any) -> Any:
+        return [self.a.negate(p) for p in x]
+
+    def scale(self, _: Any, factor: Any, x: Any) -> Any:
+        return [self.a.multiply(factor, p) for p in x]
+
+    def rotate(self, axis: Any, sine: Any, cosine: Any, x: Any) -> Any:
+        first, second = (axis + 1) % 3, (axis + 2) % 3
+        turned = list(x)
+        m, n = self.a.multiply, self.a.negate
+        turned[first] = self.a.add(m(cosine, x[first]), n(m(sine, x[second])))
+        turned[second] = self.a.add(m(sine, x[first]), m(cosine, x[second]))
+        return turned
+
+    def cross(self, _: Any, x: Any, y: Any) -> Any:
+        def minor(i: int, j: int) -> Any:
+            return self.a.add(
+                self.a.multiply(x[i], y[j]), self.a.negate(self.a.multiply(x[j], y[i]))
+            )
+
+        return [minor(1, 2), minor(2, 0), minor(0, 1)]
+
+    def dot(self, _: Any, x: Any, y: Any) -> Any:
+        terms = [self.a.multiply(p, q) for p, q in zip(x, y, strict=True)]
+        return self.a.add(self.a.add(terms[0], terms[1]), terms[2])
+
+
+# `not` is a keyword, so the rule of that name is attached by hand.
+setattr(_Run, "not", lambda self, _, x: not x)

@@ -1,0 +1,9 @@
+"""Passes: pure functions from a program to a cheaper one with the same values."""
+
+from armillary.program.passes.divisions import share_reciprocals
+from armillary.program.passes.factor import factor_sums
+from armillary.program.passes.multiple_angles import expand_multiple_angles
+
+PASSES = (expand_multiple_angles, factor_sums, share_reciprocals)
+
+__all__ = ["PASSES", "expand_multiple_angles", "factor_sums", "share_reciprocals"]

@@ -1,0 +1,69 @@
+"""The base of a pass: walks a program once and builds the next."""
+
+from __future__ import annotations
+
+from armillary.program.builder import Builder
+from armillary.program.program import Op, Program, Result
+
+
+class Rewriter:
+    """Copies a program; a pass overrides `rewrite` for the operations it changes."""
+
+    def __init__(self, program: Program) -> None:
+        self.program = program
+        self.builder = Builder()
+        self.new: list[int] = []
+
+    def run(self) -> Program:
+        for number in range(len(self.program.instructions)):
+            self.new.append(self.rewrite(number))
+            self.carry_labels(number)
+        p = self.program
+        results = tuple(
+            Result(r.name, r.shape, tuple(self.new[e] for e in r.entries)) for r in p.results
+        )
+        cases = tuple((status, self.new[c]) for status, c in p.cases)
+        return self.builder.finish(p.kernel, results, cases, p.guards)
+
+    def rewrite(self, number: int) -> int:
+        """The number of the instruction that takes this one's place."""
+        instruction = self.program.instructions[number]
+        args = [self.new[a] for a in instruction.args]
+        b = self.builder
+        rules = {
+            Op.NEGATE: b.negate,
+            Op.ADD: b.add,
+            Op.MULTIPLY: b.multiply,
+            Op.DIVIDE: b.divide,
+            Op.SQRT: b.sqrt,
+            Op.SIN: b.sin,
+            Op.COS: b.cos,
+            Op.ATAN2: b.atan2,
+            Op.ABSOLUTE: b.absolute,
+            Op.LESS: b.less,
+            Op.BOTH: b.both,
+            Op.NOT: b.invert,
+            Op.SELECT: b.select,
+        }
+        if instruction.op in rules:
+            return int(rules[instruction.op](*args))
+        return b.emit(instruction.op, *args, data=instruction.data)
+
+    def carry_labels(self, number: int) -> None:
+        """Names move with the value they name."""
+        for label in self.program.labels.get(number, ()):
+            self.builder.label(self.new[number], label.names, label.identifier)
+
+
+def uses(program: Program) -> list[int]:
+    """How often each value is used, by instructions, results and cases."""
+    count = [0] * len(program.instructions)
+    for instruction in program.instructions:
+        for a in instruction.args:
+            count[a] += 1
+    for result in program.results:
+        for e in result.entries:
+            count[e] += 1
+    for _, condition in program.cases:
+        count[condition] += 1
+    return count

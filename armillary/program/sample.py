@@ -1,0 +1,60 @@
+"""Points at which kernels are compared: spread over the declared ranges, the same every run."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import Any
+
+from armillary.derivation.quantity import AnyQuantity, Kind
+from armillary.derivation.record import Kernel
+from armillary.program.arithmetic import Reals
+
+_PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79)
+
+
+def sample_points(kernel: Kernel, count: int) -> list[dict[str, Any]]:
+    """Low-discrepancy points in the working range, at 50 digits; unit vectors are exact ones."""
+    reals = Reals()
+    return [
+        {q.name: _value(q, _stream(k + 1, i), reals) for i, q in enumerate(_quantities(kernel))}
+        for k in range(count)
+    ]
+
+
+def _quantities(kernel: Kernel) -> list[AnyQuantity]:
+    return [*kernel.inputs, *kernel.parameters]
+
+
+def _stream(k: int, offset: int) -> Iterator[Fraction]:
+    """Van der Corput numbers of index k in one prime base after another."""
+    position = offset
+    while True:
+        base = _PRIMES[position % len(_PRIMES)]
+        yield _radical_inverse(k + 7 * (position // len(_PRIMES)) + 1, base)
+        position += 5
+
+
+def _radical_inverse(k: int, base: int) -> Fraction:
+    total, scale = Fraction(0), Fraction(1)
+    while k:
+        scale /= base
+        total += scale * (k % base)
+        k //= base
+    return total
+
+
+def _value(quantity: AnyQuantity, stream: Iterator[Fraction], reals: Reals) -> Any:
+    low, high = quantity.facts.range
+
+    def one() -> Any:
+        part = next(stream)
+        return low + (high - low) * reals.number(part.numerator) / part.denominator
+
+    if quantity.shape == ():
+        return one()
+    vector = [one() for _ in range(3)]
+    if quantity.facts.kind is Kind.UNIT_VECTOR:
+        length = reals.sqrt(sum(c * c for c in vector))
+        vector = [c / length for c in vector]
+    return vector
