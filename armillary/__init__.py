@@ -1,62 +1,27 @@
-"""Armillary: derivations of machines that follow the sun, and the kernels printed from them."""
+"""Armillary: derivations of machines that follow the sun, and the kernels printed from them.
 
-from armillary.algebra.derivative import partial, time_derivative
-from armillary.algebra.direction import direction_angles, full_turn
-from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench, hat, vee
-from armillary.algebra.rotation import Rotation, elementary
-from armillary.algebra.scalar import (
-    PI,
-    absolute,
-    atan2,
-    cos,
-    degrees,
-    hypot,
-    number,
-    sin,
-    sqrt,
-    where,
-    wrap,
-)
-from armillary.algebra.vector import unit, vector
-from armillary.derivation.quantity import Kind, Rate
-from armillary.derivation.record import Derivation
-from armillary.derivation.status import Status
-from armillary.mechanism.chain import Chain, X, Y, Z
+The names that a derivation is written with are loaded when one is first asked for, so that a
+command with nothing to derive does not wait for SymPy.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING
 
 __version__ = "0.1.0"
 
-__all__ = [
-    "PI",
-    "Chain",
-    "Derivation",
-    "Kind",
-    "Matrix",
-    "Pose",
-    "Rate",
-    "Rotation",
-    "Status",
-    "Twist",
-    "Wrench",
-    "X",
-    "Y",
-    "Z",
-    "absolute",
-    "atan2",
-    "cos",
-    "degrees",
-    "direction_angles",
-    "elementary",
-    "full_turn",
-    "hat",
-    "hypot",
-    "number",
-    "partial",
-    "sin",
-    "sqrt",
-    "time_derivative",
-    "unit",
-    "vector",
-    "vee",
-    "where",
-    "wrap",
-]
+if TYPE_CHECKING:
+    from armillary.vocabulary import *  # noqa: F403
+else:
+
+    def __getattr__(name: str) -> object:
+        """One of the words of `armillary.vocabulary`."""
+        if not name.startswith("__"):
+            vocabulary = import_module("armillary.vocabulary")
+            if name in vocabulary.__all__:
+                globals()[name] = found = getattr(vocabulary, name)
+                return found
+        raise AttributeError(f"module 'armillary' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return ["__version__", *import_module("armillary.vocabulary").__all__]

@@ -63,15 +63,17 @@ def vector_time_derivative(node: v.Vector) -> v.Vector:
 
 def partial(node: s.Scalar, symbol: s.Symbol) -> s.Scalar:
     """Partial derivative of a scalar by one symbol, all others held."""
-    return Differentiator(_only(symbol)).scalar(node)
+    return Differentiator(partial_seed(symbol)).scalar(node)
 
 
 def partial_vector(node: v.Vector, symbol: s.Symbol) -> v.Vector:
     """Partial derivative of a vector by one symbol, all others held."""
-    return Differentiator(_only(symbol)).vector(node)
+    return Differentiator(partial_seed(symbol)).vector(node)
 
 
-def _only(symbol: s.Symbol) -> Seed:
+def partial_seed(symbol: s.Symbol) -> Seed:
+    """The seed of partial derivatives: one symbol moves, all others are held."""
+
     def seed(leaf: s.Symbol | v.VectorSymbol) -> s.Scalar | v.Vector:
         if isinstance(leaf, v.VectorSymbol):
             return v.NULL
@@ -266,7 +268,7 @@ def _(node: v.Rotated, d: Differentiator) -> v.Vector:
 
 @_vector.register
 def _(node: v.Choice, d: Differentiator) -> v.Vector:
-    return d.vector(node.options[0])
+    return d.vector(node.nested)
 
 
 @_vector.register

@@ -166,7 +166,7 @@ class Explicit:
 
     @translate.register
     def _(self, node: v.Choice) -> sympy.Basic:
-        return self(node.options[0])
+        return self(node.nested)
 
     @translate.register
     def _(self, node: v.VectorReference) -> sympy.Basic:

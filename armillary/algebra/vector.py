@@ -139,9 +139,17 @@ class Rotated(Vector):
 
 @dataclass(frozen=True, eq=False)
 class Choice(Vector):
-    """Equal expressions of one vector; the program takes the direction that costs least."""
+    """Equal expressions of one vector; the program takes the direction that costs least.
 
-    options: tuple[Vector, ...]
+    Attributes:
+        nested: carried from the innermost frame out.
+        summed: a sum of terms, each carried to the base by itself.
+        merged: nested, with parallel axes turned by the sum of their angles.
+    """
+
+    nested: Vector
+    summed: Vector
+    merged: Vector
 
 
 @dataclass(frozen=True, eq=False)
@@ -211,6 +219,11 @@ def cross(left: Vector, right: Vector) -> Vector:
     if is_null(left) or is_null(right):
         return NULL
     return Cross(left, right)
+
+
+def choice(nested: Vector, summed: Vector, merged: Vector) -> Vector:
+    """One vector in three equal forms; a null vector has no form to choose."""
+    return nested if is_null(nested) else Choice(nested, summed, merged)
 
 
 def norm(node: Vector) -> Scalar:

@@ -31,7 +31,7 @@ def _children(node: object) -> Iterator[object]:
         yield from node
     elif isinstance(node, v.Choice):
         # Its forms are equal; the first one names everything the others may.
-        yield node.options[0]
+        yield node.nested
     elif hasattr(node, "__dataclass_fields__"):
         for f in fields(node):  # type: ignore[arg-type]
             yield getattr(node, f.name)

@@ -229,7 +229,7 @@ class UnitOf:
 
     @infer.register
     def _(self, node: v.Choice) -> Unit | None:
-        return self.common(list(node.options), "the forms of one vector")
+        return self(node.nested)
 
     @infer.register
     def _(self, node: v.VectorReference) -> Unit | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 from armillary.algebra import vector as v
-from armillary.algebra.derivative import Differentiator, Seed, of_time
+from armillary.algebra.derivative import Differentiator, Seed, of_time, partial_seed
 from armillary.algebra.rigid import Matrix, Pose, Twist, stack_twists
 from armillary.algebra.rotation import (
     IDENTITY,
@@ -16,28 +16,43 @@ from armillary.algebra.rotation import (
     rotate,
     transpose,
 )
-from armillary.algebra.scalar import ONE, ZERO, Scalar, ScalarLike, Symbol, as_scalar, is_zero
+from armillary.algebra.scalar import Scalar, ScalarLike, Symbol, add, as_scalar
 
 X, Y, Z = 0, 1, 2
 
 
 @dataclass(frozen=True, eq=False)
-class Step:
-    """One elementary motion; `turning` tells a rotation from a translation."""
+class Turn:
+    """A rotation about an axis of the frame reached so far."""
 
-    turning: bool
     axis: int
-    amount: Scalar
-
-    def carry(self, inner: v.Vector) -> v.Vector:
-        """A position given after the step, in the frame before it."""
-        if self.turning:
-            return rotate(self.rotation, inner)
-        return v.add_vectors(v.scale(self.amount, v.Basis(self.axis)), inner)
+    angle: Scalar
 
     @property
     def rotation(self) -> Rotation:
-        return Elementary(self.axis, self.amount) if self.turning else IDENTITY
+        return Elementary(self.axis, self.angle)
+
+    def carry(self, inner: v.Vector) -> v.Vector:
+        """A position given after the step, in the frame before it."""
+        return rotate(self.rotation, inner)
+
+
+@dataclass(frozen=True, eq=False)
+class Shift:
+    """A translation, given in the frame reached so far."""
+
+    offset: v.Vector
+
+    @property
+    def rotation(self) -> Rotation:
+        return IDENTITY
+
+    def carry(self, inner: v.Vector) -> v.Vector:
+        """A position given after the step, in the frame before it."""
+        return v.add_vectors(self.offset, inner)
+
+
+Step = Turn | Shift
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,11 +70,11 @@ class Chain:
 
     def translate(self, axis: int, distance: ScalarLike, frame: str | None = None) -> Chain:
         """Move along an axis of the frame reached so far."""
-        return self._extended(Step(False, _axis(axis), as_scalar(distance)), frame)
+        return self._extended(Shift(v.scale(as_scalar(distance), v.Basis(_axis(axis)))), frame)
 
     def rotate(self, axis: int, angle: ScalarLike, frame: str | None = None) -> Chain:
         """Turn about an axis of the frame reached so far, actively and right-handed."""
-        return self._extended(Step(True, _axis(axis), as_scalar(angle)), frame)
+        return self._extended(Turn(_axis(axis), as_scalar(angle)), frame)
 
     def _extended(self, step: Step, frame: str | None) -> Chain:
         frames = dict(self.frames)
@@ -91,7 +106,8 @@ class Chain:
         if first > last:
             return self.pose(inner, outer).inverse()
         steps = self.steps[first:last]
-        return Pose(_rotation(steps), _position(steps))
+        position = v.choice(_position(steps), _summed(steps), _position(merged(steps)))
+        return Pose(_rotation(steps), position)
 
     def twist(self, frame: str, point: v.Vector = v.NULL) -> Twist:
         """Motion of a frame, in the base frame: its angular velocity, and the velocity of
@@ -112,8 +128,8 @@ class Chain:
         d = Differentiator(of_time)
         spin: v.Vector = v.NULL
         for step in self.steps[: self.position_of(frame)]:
-            if step.turning:
-                own = v.scale(d.scalar(step.amount), v.Basis(step.axis))
+            if isinstance(step, Turn):
+                own = v.scale(d.scalar(step.angle), v.Basis(step.axis))
                 spin = v.add_vectors(rotate(transpose(step.rotation), spin), own)
         return spin
 
@@ -132,84 +148,135 @@ def _axis(axis: int) -> int:
     return axis
 
 
+def merged(steps: tuple[Step, ...]) -> tuple[Step, ...]:
+    """The same chain with parallel axes turned by the sum of their angles.
+
+    R(a) shift R(b) about one axis is a shift by R(a) offset, then R(a + b): the joint between
+    needs no sine of its own.
+    """
+    done: list[Step] = []
+    for step in steps:
+        if isinstance(step, Turn):
+            last = _last_turn(done)
+            if last is not None and _parallel(done[last], step):
+                turned, shifts = done[last], done[last + 1 :]
+                assert isinstance(turned, Turn)
+                moved = [Shift(turned.carry(s.offset)) for s in shifts if isinstance(s, Shift)]
+                total = Turn(step.axis, add(turned.angle, step.angle))
+                done[last:] = [*moved, total]
+                continue
+        done.append(step)
+    return tuple(done)
+
+
+def _last_turn(steps: list[Step]) -> int | None:
+    turns = [k for k, step in enumerate(steps) if isinstance(step, Turn)]
+    return turns[-1] if turns else None
+
+
+def _parallel(first: Step, second: Turn) -> bool:
+    return isinstance(first, Turn) and first.axis == second.axis
+
+
 def _rotation(steps: tuple[Step, ...]) -> Rotation:
     return Composed(tuple(f for step in steps for f in factors(step.rotation)))
 
 
 def _position(steps: tuple[Step, ...], point: v.Vector = v.NULL) -> v.Vector:
-    """Position of a point of the last frame in the first, nested or summed: what is cheaper."""
+    """Position of a point of the last frame in the first, from the inside out."""
     for step in reversed(steps):
         point = step.carry(point)
     return point
 
 
-def _summed_position(steps: tuple[Step, ...], point: v.Vector) -> v.Vector:
+def _summed(steps: tuple[Step, ...], point: v.Vector = v.NULL) -> v.Vector:
     """The same position as a sum of steps, each carried by the rotations before it."""
     total: v.Vector = v.NULL
     for k, step in enumerate(steps):
-        if not step.turning:
-            offset = v.scale(step.amount, v.Basis(step.axis))
-            total = v.add_vectors(total, rotate(_rotation(steps[:k]), offset))
+        if isinstance(step, Shift):
+            total = v.add_vectors(total, rotate(_rotation(steps[:k]), step.offset))
     return v.add_vectors(total, rotate(_rotation(steps), point))
 
 
 def _angular(steps: tuple[Step, ...], seed: Seed) -> v.Vector:
-    nested = Differentiator(seed).angular_velocity(_rotation(steps))
     d = Differentiator(seed)
     summed: v.Vector = v.NULL
     for k, step in enumerate(steps):
-        if step.turning:
-            spin = v.scale(d.scalar(step.amount), rotate(_rotation(steps[:k]), v.Basis(step.axis)))
+        if isinstance(step, Turn):
+            spin = v.scale(d.scalar(step.angle), rotate(_rotation(steps[:k]), v.Basis(step.axis)))
             summed = v.add_vectors(summed, spin)
-    return _choice(nested, summed)
+    return v.choice(
+        d.angular_velocity(_rotation(steps)), summed, d.angular_velocity(_rotation(merged(steps)))
+    )
 
 
 def _linear(steps: tuple[Step, ...], seed: Seed, point: v.Vector) -> v.Vector:
+    nested, parallel = _nested_velocity(steps, seed, point), merged(steps)
+    return v.choice(nested, nested, _nested_velocity(parallel, seed, point))
+
+
+def _nested_velocity(steps: tuple[Step, ...], seed: Seed, point: v.Vector) -> v.Vector:
     """Velocity carried outward joint by joint: each adds axis x arm where the axis is a basis."""
     d = Differentiator(seed)
     velocity = d.vector(point)
     for step in reversed(steps):
-        speed = d.scalar(step.amount)
         point = step.carry(point)
-        if step.turning:
-            turning = v.scale(speed, v.cross(v.Basis(step.axis), point))
+        if isinstance(step, Turn):
+            turning = v.scale(d.scalar(step.angle), v.cross(v.Basis(step.axis), point))
             velocity = v.add_vectors(turning, rotate(step.rotation, velocity))
         else:
-            velocity = v.add_vectors(v.scale(speed, v.Basis(step.axis)), velocity)
+            velocity = v.add_vectors(d.vector(step.offset), velocity)
     return velocity
 
 
 def _column(steps: tuple[Step, ...], variable: Symbol, point: v.Vector) -> Twist:
     """The twist per unit speed of one variable."""
-    d = Differentiator(lambda leaf: _rate_of(leaf, variable))
-    moving = [k for k, step in enumerate(steps) if not is_zero(d.scalar(step.amount))]
-    angular: v.Vector = v.NULL
-    local: v.Vector = v.NULL
-    based: v.Vector = v.NULL
-    tip = _summed_position(steps, point)
-    for k in moving:
-        step, before = steps[k], _rotation(steps[:k])
-        speed = d.scalar(step.amount)
-        axis = v.Basis(step.axis)
-        carried = v.scale(speed, rotate(before, axis))
-        if step.turning:
-            angular = v.add_vectors(angular, carried)
+    seed = partial_seed(variable)
+    parallel = merged(steps)
+    linear = v.choice(
+        _local_push(steps, seed, point),
+        _base_push(steps, seed, point),
+        _local_push(parallel, seed, point),
+    )
+    d = Differentiator(seed)
+    angular = v.choice(_spin(steps, d), _spin(steps, d), _spin(parallel, d))
+    return Twist(angular, linear)
+
+
+def _spin(steps: tuple[Step, ...], d: Differentiator) -> v.Vector:
+    total: v.Vector = v.NULL
+    for k, step in enumerate(steps):
+        if isinstance(step, Turn):
+            axis = v.scale(d.scalar(step.angle), v.Basis(step.axis))
+            total = v.add_vectors(total, rotate(_rotation(steps[:k]), axis))
+    return total
+
+
+def _local_push(steps: tuple[Step, ...], seed: Seed, point: v.Vector) -> v.Vector:
+    """axis x arm in the frame where the axis is a basis vector, then carried to the base."""
+    d = Differentiator(seed)
+    total = rotate(_rotation(steps), d.vector(point))
+    for k, step in enumerate(steps):
+        if isinstance(step, Turn):
             arm = _position(steps[k:], point)
-            push = rotate(before, v.scale(speed, v.cross(axis, arm)))
-            local = v.add_vectors(local, push)
-            base_arm = tip - _summed_position(steps[:k], v.NULL)
-            based = v.add_vectors(based, v.cross(carried, base_arm))
+            push = v.scale(d.scalar(step.angle), v.cross(v.Basis(step.axis), arm))
         else:
-            local = v.add_vectors(local, carried)
-            based = v.add_vectors(based, carried)
-    return Twist(angular, _choice(local, based))
+            push = d.vector(step.offset)
+        total = v.add_vectors(total, rotate(_rotation(steps[:k]), push))
+    return total
 
 
-def _choice(first: v.Vector, second: v.Vector) -> v.Vector:
-    return first if v.is_null(first) else v.Choice((first, second))
-
-
-def _rate_of(leaf: Symbol | v.VectorSymbol, variable: Symbol) -> Scalar | v.Vector:
-    if isinstance(leaf, v.VectorSymbol):
-        return v.NULL
-    return ONE if leaf is variable else ZERO
+def _base_push(steps: tuple[Step, ...], seed: Seed, point: v.Vector) -> v.Vector:
+    """axis x arm, both in the base frame: the arm is a difference of two positions."""
+    d = Differentiator(seed)
+    tip = _summed(steps, point)
+    total = rotate(_rotation(steps), d.vector(point))
+    for k, step in enumerate(steps):
+        before = _rotation(steps[:k])
+        if isinstance(step, Turn):
+            axis = v.scale(d.scalar(step.angle), rotate(before, v.Basis(step.axis)))
+            push = v.cross(axis, tip - _summed(steps[:k]))
+        else:
+            push = rotate(before, d.vector(step.offset))
+        total = v.add_vectors(total, push)
+    return total

@@ -34,19 +34,22 @@ class Strategy:
             it with the product.
         compose: "inward" forms a product's columns from the innermost factor out, "outward" keeps
             every prefix of the product and mixes its columns.
-        form: which of the equal forms of a vector is taken.
+        form: which of the equal forms of a vector is taken (see `Choice`); with "merged",
+            products of rotations about one axis are merged too.
     """
 
     carry: str = "steps"
     compose: str = "inward"
-    form: int = 0
+    form: str = "nested"
 
 
 def strategies() -> list[Strategy]:
     """Every direction of evaluation; the first is the plain one and wins ties."""
     return [
         Strategy(carry, compose, form)
-        for form, carry, compose in product((0, 1), ("steps", "matrix"), ("inward", "outward"))
+        for form, carry, compose in product(
+            ("nested", "summed", "merged"), ("steps", "matrix"), ("inward", "outward")
+        )
     ]
 
 
@@ -116,12 +119,24 @@ class _Lowering:
 
     def columns(self, rotation: Rotation) -> tuple[int, int, int]:
         """The columns of a rotation matrix."""
-        found = self._product(factors(rotation))
+        found = self._product(self.chain(factors(rotation)))
         if isinstance(rotation, RotationReference):
             for j, column in enumerate(found):
                 names = tuple(f"{rotation.name}_{i + 1}{j + 1}" for i in range(3))
                 self.builder.label(column, names, rotation.identifier)
         return found
+
+    def chain(self, given: tuple[Elementary, ...]) -> tuple[Elementary, ...]:
+        """The factors of a product, those about one axis merged if the strategy says so."""
+        if self.strategy.form != "merged":
+            return given
+        done: list[Elementary] = []
+        for factor in given:
+            if done and done[-1].axis == factor.axis:
+                done[-1] = Elementary(factor.axis, s.add(done[-1].angle, factor.angle))
+            else:
+                done.append(factor)
+        return tuple(done)
 
     def _product(self, chain: tuple[Elementary, ...]) -> tuple[int, int, int]:
         key = tuple((f.axis, self(f.angle)) for f in chain)
@@ -290,7 +305,7 @@ class _Lowering:
     @translate.register
     def _(self, node: v.Rotated) -> int:
         chain, vector = _flattened(node)
-        inner = self(vector)
+        chain, inner = self.chain(chain), self(vector)
         if self.strategy.carry == "steps" or len(chain) < 3:
             return self.carry(chain, inner)
         parts = tuple(self.pick(inner, k) for k in range(3))
@@ -298,7 +313,7 @@ class _Lowering:
 
     @translate.register
     def _(self, node: v.Choice) -> int:
-        return self(node.options[min(self.strategy.form, len(node.options) - 1)])
+        return self(getattr(node, self.strategy.form))
 
     @translate.register
     def _(self, node: v.VectorReference) -> int:

@@ -1,0 +1,60 @@
+"""The words of a derivation; `armillary` offers them when one is first asked for."""
+
+from armillary.algebra.derivative import partial, time_derivative
+from armillary.algebra.direction import direction_angles, full_turn
+from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench, hat, vee
+from armillary.algebra.rotation import Rotation, elementary
+from armillary.algebra.scalar import (
+    PI,
+    absolute,
+    atan2,
+    cos,
+    degrees,
+    hypot,
+    number,
+    sin,
+    sqrt,
+    where,
+    wrap,
+)
+from armillary.algebra.vector import unit, vector
+from armillary.derivation.quantity import Kind, Rate
+from armillary.derivation.record import Derivation
+from armillary.derivation.status import Status
+from armillary.mechanism.chain import Chain, X, Y, Z
+
+__all__ = [
+    "PI",
+    "Chain",
+    "Derivation",
+    "Kind",
+    "Matrix",
+    "Pose",
+    "Rate",
+    "Rotation",
+    "Status",
+    "Twist",
+    "Wrench",
+    "X",
+    "Y",
+    "Z",
+    "absolute",
+    "atan2",
+    "cos",
+    "degrees",
+    "direction_angles",
+    "elementary",
+    "full_turn",
+    "hat",
+    "hypot",
+    "number",
+    "partial",
+    "sin",
+    "sqrt",
+    "time_derivative",
+    "unit",
+    "vector",
+    "vee",
+    "where",
+    "wrap",
+]
