@@ -1,0 +1,200 @@
+"""Turns a program into named statements: what every language has in common.
+
+A language is a subclass of `Language` with one short method for each operation. Values used once
+are written where they are used, everything else becomes a local under its definition's name.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+import sympy
+
+from armillary.program.program import CONDITION_OPS, Op, Program
+from armillary.program.rewrite import uses
+
+# Longer expressions are hard to compare with the page, so they get a name on the way.
+LARGEST_EXPRESSION = 6
+# Costly operations keep a line of their own.
+_OWN_LINE = frozenset({Op.SIN, Op.COS, Op.SQRT, Op.ATAN2, Op.DIVIDE, Op.SELECT})
+
+
+class Language(ABC):
+    """How one language writes the operations; each operand comes ready to be used inside."""
+
+    @abstractmethod
+    def constant(self, value: sympy.Expr) -> str: ...
+    @abstractmethod
+    def negate(self, a: str) -> str: ...
+    @abstractmethod
+    def add(self, a: str, b: str) -> str: ...
+    @abstractmethod
+    def subtract(self, a: str, b: str) -> str: ...
+    @abstractmethod
+    def multiply(self, a: str, b: str) -> str: ...
+    @abstractmethod
+    def divide(self, a: str, b: str) -> str: ...
+    @abstractmethod
+    def sqrt(self, a: str) -> str: ...
+    @abstractmethod
+    def sin(self, a: str) -> str: ...
+    @abstractmethod
+    def cos(self, a: str) -> str: ...
+    @abstractmethod
+    def atan2(self, a: str, b: str) -> str: ...
+    @abstractmethod
+    def absolute(self, a: str) -> str: ...
+    @abstractmethod
+    def less(self, a: str, b: str) -> str: ...
+    @abstractmethod
+    def both(self, a: str, b: str) -> str: ...
+    @abstractmethod
+    def invert(self, a: str) -> str: ...
+    @abstractmethod
+    def select(self, condition: str, then: str, otherwise: str) -> str: ...
+
+    def inside(self, expression: str) -> str:
+        """An expression as an operand of another."""
+        return f"({expression})"
+
+
+@dataclass(frozen=True)
+class Statement:
+    """`name = expression`, with the definitions that the value belongs to."""
+
+    name: str
+    expression: str
+    condition: bool
+    identifiers: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Body:
+    """Statements in order, and the expression of each result entry and case."""
+
+    statements: tuple[Statement, ...]
+    results: tuple[tuple[str, ...], ...]
+    cases: tuple[tuple[int, str], ...]
+
+
+def write_body(program: Program, language: Language, taken: frozenset[str]) -> Body:
+    """The body of a kernel; locals avoid the names in `taken`."""
+    return _Writer(program, language, taken).write()
+
+
+class _Writer:
+    def __init__(self, program: Program, language: Language, taken: frozenset[str]) -> None:
+        self.program, self.language = program, language
+        self.names = local_names(program, taken)
+        self.uses = uses(program)
+        self.written: list[tuple[str, bool]] = []  # the text, and whether it stands alone
+        self.sizes: list[int] = []
+
+    def write(self) -> Body:
+        statements = []
+        for number, instruction in enumerate(self.program.instructions):
+            text, alone = self._expression(number)
+            size = 1 + sum(self.sizes[a] for a in instruction.args)
+            if self._is_local(number, size):
+                name = self.names[number]
+                ids = tuple(label.identifier for label in self.program.labels.get(number, ()))
+                condition = instruction.op in CONDITION_OPS
+                statements.append(Statement(name, text, condition, ids))
+                text, alone, size = name, True, 0
+            self.written.append((text, alone))
+            self.sizes.append(0 if instruction.op in (Op.CONSTANT, Op.INPUT) else size)
+        results = tuple(
+            tuple(self.written[e][0] for e in result.entries) for result in self.program.results
+        )
+        cases = tuple((int(status), self.written[c][0]) for status, c in self.program.cases)
+        return Body(tuple(statements), results, cases)
+
+    def _is_local(self, number: int, size: int) -> bool:
+        op = self.program.instructions[number].op
+        if op in (Op.CONSTANT, Op.INPUT):
+            return False
+        if op is Op.NEGATE:
+            # A sign is written where it is used; a name for it would hide the value behind.
+            return False
+        named = number in self.program.labels
+        many = self.uses[number] > 1
+        return named or many or op in _OWN_LINE or op in CONDITION_OPS or size > LARGEST_EXPRESSION
+
+    def _operand(self, number: int) -> str:
+        text, alone = self.written[number]
+        return text if alone else self.language.inside(text)
+
+    def _expression(self, number: int) -> tuple[str, bool]:
+        i = self.program.instructions[number]
+        if i.op is Op.INPUT:
+            data = i.data
+            name = f"{data[0]}_{'xyz'[data[1]]}" if isinstance(data, tuple) else str(data)
+            return name, True
+        if i.op is Op.CONSTANT:
+            assert isinstance(i.data, sympy.Expr)
+            return self.language.constant(i.data), True
+        if i.op is Op.ADD:
+            return self._sum(*i.args), False
+        methods = {
+            Op.NEGATE: self.language.negate,
+            Op.MULTIPLY: self.language.multiply,
+            Op.DIVIDE: self.language.divide,
+            Op.LESS: self.language.less,
+            Op.BOTH: self.language.both,
+            Op.NOT: self.language.invert,
+            Op.SELECT: self.language.select,
+        }
+        if i.op in methods:
+            return methods[i.op](*(self._operand(a) for a in i.args)), False
+        calls = {
+            Op.SQRT: self.language.sqrt,
+            Op.SIN: self.language.sin,
+            Op.COS: self.language.cos,
+            Op.ATAN2: self.language.atan2,
+            Op.ABSOLUTE: self.language.absolute,
+        }
+        return calls[i.op](*(self.written[a][0] for a in i.args)), True
+
+    def _sum(self, left: int, right: int) -> str:
+        """A sum with a negated term is a difference."""
+        for first, second in ((left, right), (right, left)):
+            i = self.program.instructions[second]
+            if i.op is Op.NEGATE:
+                return self.language.subtract(self._operand(first), self._operand(i.args[0]))
+        return self.language.add(self._operand(left), self._operand(right))
+
+
+def local_names(program: Program, taken: frozenset[str]) -> list[str]:
+    """A name for each value: its definition's, that of the angle it is the sine of, or t1, ..."""
+    used = set(taken)
+    names: list[str] = []
+    count = 0
+    for number, instruction in enumerate(program.instructions):
+        label = program.labels.get(number)
+        if label:
+            wanted = label[0].names[0]
+        elif instruction.op in (Op.SIN, Op.COS) and _plain(program, instruction.args[0]):
+            wanted = f"{instruction.op.value}_{program.instructions[instruction.args[0]].data}"
+        elif instruction.op in (Op.CONSTANT, Op.INPUT, Op.NEGATE):
+            names.append("")
+            continue
+        else:
+            count += 1
+            wanted = f"t{count}"
+        names.append(_unused(wanted, used))
+        used.add(names[-1])
+    return names
+
+
+def _plain(program: Program, number: int) -> bool:
+    i = program.instructions[number]
+    return i.op is Op.INPUT and isinstance(i.data, str)
+
+
+def _unused(wanted: str, used: set[str]) -> str:
+    name, k = wanted, 1
+    while name in used:
+        k += 1
+        name = f"{wanted}_v{k}"
+    return name
