@@ -119,9 +119,7 @@ def _(node: s.Negate, d: Differentiator) -> s.Scalar:
 @_scalar.register
 def _(node: s.Divide, d: Differentiator) -> s.Scalar:
     # (n / m)' = (n' - (n / m) m') / m: the quotient itself is used again.
-    change = s.add(
-        d.scalar(node.numerator), s.negate(s.multiply(node, d.scalar(node.denominator)))
-    )
+    change = s.add(d.scalar(node.numerator), s.negate(s.multiply(node, d.scalar(node.denominator))))
     return s.divide(change, node.denominator)
 
 

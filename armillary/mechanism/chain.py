@@ -123,6 +123,12 @@ class Chain:
         """Velocity of a point of a frame (its origin by default), in the base frame."""
         return self.twist(frame, point).linear
 
+    def spatial_velocity(self, frame: str) -> v.Vector:
+        """Velocity of the body point that passes the base origin, in the base frame: the last
+        column of `Mdot M^-1`."""
+        steps = self.steps[: self.position_of(frame)]
+        return v.choice(*(_velocity_at_base(s) for s in (steps, steps, merged(steps))))
+
     def body_angular_velocity(self, frame: str) -> v.Vector:
         """`vee(R^T Rdot)`: angular velocity of a frame, in that frame's own components."""
         d = Differentiator(of_time)
@@ -226,6 +232,22 @@ def _nested_velocity(steps: tuple[Step, ...], seed: Seed, point: v.Vector) -> v.
             velocity = v.add_vectors(turning, rotate(step.rotation, velocity))
         else:
             velocity = v.add_vectors(d.vector(step.offset), velocity)
+    return velocity
+
+
+def _velocity_at_base(steps: tuple[Step, ...]) -> v.Vector:
+    """The twist carried outward joint by joint, always about the origin reached so far."""
+    d = Differentiator(of_time)
+    spin: v.Vector = v.NULL
+    velocity: v.Vector = v.NULL
+    for step in reversed(steps):
+        if isinstance(step, Turn):
+            own = v.scale(d.scalar(step.angle), v.Basis(step.axis))
+            spin = v.add_vectors(own, rotate(step.rotation, spin))
+            velocity = rotate(step.rotation, velocity)
+        else:
+            moment = v.cross(step.offset, spin)
+            velocity = v.add_vectors(v.add_vectors(d.vector(step.offset), moment), velocity)
     return velocity
 
 

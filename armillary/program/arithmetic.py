@@ -55,13 +55,16 @@ class Reals(_Fields):
         self.mp = mpmath.MPContext()
         self.mp.dps = digits
         self.digits = digits
+        self._constants: dict[sympy.Expr, Any] = {}
 
     def number(self, value: object) -> Any:
         """An exact input: floats are taken bit by bit."""
         return self.mp.mpf(value)
 
     def constant(self, value: sympy.Expr) -> Any:
-        return self.mp.mpf(str(sympy.N(value, self.digits + 10)))
+        if value not in self._constants:
+            self._constants[value] = self.mp.mpf(str(sympy.N(value, self.digits + 10)))
+        return self._constants[value]
 
     def sqrt(self, a: Any) -> Any:
         return self.mp.sqrt(a)

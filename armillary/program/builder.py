@@ -6,7 +6,6 @@ import sympy
 
 from armillary.derivation.record import Kernel
 from armillary.derivation.status import Status
-from armillary.program.guards import Guard
 from armillary.program.program import Data, Instruction, Label, Op, Program, Result
 
 ZERO, ONE = sympy.Integer(0), sympy.Integer(1)
@@ -42,7 +41,6 @@ class Builder:
         kernel: Kernel,
         results: tuple[Result, ...],
         cases: tuple[tuple[Status, int], ...],
-        guards: tuple[Guard, ...],
     ) -> Program:
         """The program of what the results need, renumbered; the rest is dropped."""
         needed: set[int] = set()
@@ -64,7 +62,6 @@ class Builder:
             tuple(Result(r.name, r.shape, tuple(new[e] for e in r.entries)) for r in results),
             tuple((status, new[c]) for status, c in cases),
             {new[n]: tuple(ls) for n, ls in sorted(self.labels.items()) if n in new},
-            guards,
         )
 
     # -- scalars ------------------------------------------------------------------------------

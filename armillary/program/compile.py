@@ -58,7 +58,9 @@ def _prove(kernel: Kernel, strategy: Strategy) -> None:
         program = step(program)
         after = cost(program).weighted
         if after > before:
-            raise PassError(f"{step.__name__} raised the cost of {program.name}: {before} to {after}")
+            raise PassError(
+                f"{step.__name__} raised the cost of {program.name}: {before} to {after}"
+            )
         before = after
         for point, wanted in zip(points, expected, strict=True):
             _compare(step.__name__, program, _values(program, point), wanted)

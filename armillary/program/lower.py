@@ -21,7 +21,6 @@ from armillary.algebra.rotation import Elementary, Rotation, RotationReference, 
 from armillary.derivation.quantity import Constant
 from armillary.derivation.record import Kernel, Output
 from armillary.program.builder import Builder
-from armillary.program.guards import guards_of
 from armillary.program.program import Op, Program, Result
 
 
@@ -58,11 +57,7 @@ def lower(kernel: Kernel, strategy: Strategy) -> Program:
     lowering = _Lowering(strategy)
     results = tuple(lowering.result(output) for output in kernel.outputs)
     cases = tuple((case.status, lowering(case.condition)) for case in kernel.cases)
-    bare = lowering.builder.finish(kernel, results, cases, ())
-    used = bare.inputs_used()
-    checked = [*kernel.inputs, *(q for q in kernel.parameters if q.name in used)]
-    guards = tuple(g for q in checked for g in guards_of(q))
-    return lowering.builder.finish(kernel, results, cases, guards)
+    return lowering.builder.finish(kernel, results, cases)
 
 
 class _Lowering:

@@ -14,7 +14,7 @@ import sympy
 
 from armillary.derivation.record import Kernel
 from armillary.derivation.status import Status
-from armillary.program.guards import Guard
+from armillary.program.guards import Guard, guards_of
 
 
 class Op(Enum):
@@ -46,9 +46,7 @@ class Op(Enum):
     DOT = "dot"
 
 
-VECTOR_OPS = frozenset(
-    {Op.PACK, Op.ADD_VECTORS, Op.NEGATE_VECTOR, Op.SCALE, Op.ROTATE, Op.CROSS}
-)
+VECTOR_OPS = frozenset({Op.PACK, Op.ADD_VECTORS, Op.NEGATE_VECTOR, Op.SCALE, Op.ROTATE, Op.CROSS})
 STRUCTURED_OPS = VECTOR_OPS | {Op.PICK, Op.DOT}
 CONDITION_OPS = frozenset({Op.LESS, Op.BOTH, Op.NOT})
 
@@ -90,11 +88,17 @@ class Program:
     results: tuple[Result, ...]
     cases: tuple[tuple[Status, int], ...]
     labels: dict[int, tuple[Label, ...]] = field(default_factory=dict)
-    guards: tuple[Guard, ...] = ()
 
     @property
     def name(self) -> str:
         return f"{self.kernel.system}_{self.kernel.name}"
+
+    @property
+    def guards(self) -> tuple[Guard, ...]:
+        """What is checked: every argument, and each parameter that a result depends on."""
+        used = self.inputs_used()
+        checked = [*self.kernel.inputs, *(q for q in self.kernel.parameters if q.name in used)]
+        return tuple(g for q in checked for g in guards_of(q))
 
     def inputs_used(self) -> frozenset[str]:
         """Names of the quantities that some result depends on."""

@@ -23,7 +23,7 @@ class Rewriter:
             Result(r.name, r.shape, tuple(self.new[e] for e in r.entries)) for r in p.results
         )
         cases = tuple((status, self.new[c]) for status, c in p.cases)
-        return self.builder.finish(p.kernel, results, cases, p.guards)
+        return self.builder.finish(p.kernel, results, cases)
 
     def rewrite(self, number: int) -> int:
         """The number of the instruction that takes this one's place."""

@@ -86,7 +86,8 @@ def write_body(program: Program, language: Language, taken: frozenset[str]) -> B
 class _Writer:
     def __init__(self, program: Program, language: Language, taken: frozenset[str]) -> None:
         self.program, self.language = program, language
-        self.names = local_names(program, taken)
+        self.taken = set(taken)
+        self.temporaries = 0
         self.uses = uses(program)
         self.written: list[tuple[str, bool]] = []  # the text, and whether it stands alone
         self.sizes: list[int] = []
@@ -97,7 +98,7 @@ class _Writer:
             text, alone = self._expression(number)
             size = 1 + sum(self.sizes[a] for a in instruction.args)
             if self._is_local(number, size):
-                name = self.names[number]
+                name = self._name(number)
                 ids = tuple(label.identifier for label in self.program.labels.get(number, ()))
                 condition = instruction.op in CONDITION_OPS
                 statements.append(Statement(name, text, condition, ids))
@@ -120,6 +121,20 @@ class _Writer:
         named = number in self.program.labels
         many = self.uses[number] > 1
         return named or many or op in _OWN_LINE or op in CONDITION_OPS or size > LARGEST_EXPRESSION
+
+    def _name(self, number: int) -> str:
+        """The definition's name, that of the angle it is the sine of, or t1, t2, ..."""
+        i, label = self.program.instructions[number], self.program.labels.get(number)
+        if label:
+            wanted = label[0].names[0]
+        elif i.op in (Op.SIN, Op.COS) and _plain(self.program, i.args[0]):
+            wanted = f"{i.op.value}_{self.program.instructions[i.args[0]].data}"
+        else:
+            self.temporaries += 1
+            wanted = f"t{self.temporaries}"
+        name = _unused(wanted, self.taken)
+        self.taken.add(name)
+        return name
 
     def _operand(self, number: int) -> str:
         text, alone = self.written[number]
@@ -165,28 +180,6 @@ class _Writer:
         return self.language.add(self._operand(left), self._operand(right))
 
 
-def local_names(program: Program, taken: frozenset[str]) -> list[str]:
-    """A name for each value: its definition's, that of the angle it is the sine of, or t1, ..."""
-    used = set(taken)
-    names: list[str] = []
-    count = 0
-    for number, instruction in enumerate(program.instructions):
-        label = program.labels.get(number)
-        if label:
-            wanted = label[0].names[0]
-        elif instruction.op in (Op.SIN, Op.COS) and _plain(program, instruction.args[0]):
-            wanted = f"{instruction.op.value}_{program.instructions[instruction.args[0]].data}"
-        elif instruction.op in (Op.CONSTANT, Op.INPUT, Op.NEGATE):
-            names.append("")
-            continue
-        else:
-            count += 1
-            wanted = f"t{count}"
-        names.append(_unused(wanted, used))
-        used.add(names[-1])
-    return names
-
-
 def _plain(program: Program, number: int) -> bool:
     i = program.instructions[number]
     return i.op is Op.INPUT and isinstance(i.data, str)
@@ -195,6 +188,6 @@ def _plain(program: Program, number: int) -> bool:
 def _unused(wanted: str, used: set[str]) -> str:
     name, k = wanted, 1
     while name in used:
+        name = f"{wanted}_value" if k == 1 else f"{wanted}_value{k}"
         k += 1
-        name = f"{wanted}_v{k}"
     return name

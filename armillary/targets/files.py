@@ -1,0 +1,164 @@
+"""Every generated file of a project, as text in memory; writing them is somebody else's work."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from pprint import pformat
+
+from armillary.derivation.fingerprint import definition_digest, kernel_definitions
+from armillary.derivation.record import Derivation, Kernel
+from armillary.program.compile import Compiled, compile_kernel
+from armillary.program.cost import Cost
+from armillary.program.lower import Strategy
+from armillary.targets import c, python
+
+_RUNTIME = Path(__file__).parent / "runtime"
+
+
+@dataclass(frozen=True)
+class Target:
+    """How a project wants its kernels.
+
+    Attributes:
+        package: name of the Python package.
+        folder: folder that C headers are included from, `generated/c/src/<folder>`.
+        c_prefix: put before every C symbol.
+        precisions: which of "f32" and "f64" are printed.
+        version: version stamped into the files.
+    """
+
+    package: str
+    folder: str
+    c_prefix: str
+    precisions: tuple[str, ...]
+    version: str
+
+    @property
+    def c(self) -> c.CTarget:
+        return c.CTarget(self.folder, self.c_prefix, self.precisions, self.version)
+
+
+@dataclass(frozen=True)
+class KernelFacts:
+    """What is told of a kernel beside its text."""
+
+    name: str
+    digest: str
+    cost: Cost
+    strategy: Strategy
+    definitions: dict[str, str]
+    signature: str
+
+
+@dataclass(frozen=True)
+class Rendered:
+    """The files of one system (path below `generated/` to text) and its kernels' facts."""
+
+    system: str
+    files: dict[str, str]
+    kernels: dict[str, KernelFacts]
+    table: dict[str, object]
+
+
+def render_system(
+    derivation: Derivation,
+    target: Target,
+    progress: Callable[[Kernel], None] = lambda kernel: None,
+) -> Rendered:
+    """Compile and print every kernel of a system."""
+    compiled: dict[str, Compiled] = {}
+    for name, kernel in derivation.kernels.items():
+        progress(kernel)
+        compiled[name] = compile_kernel(kernel)
+    abi = _abi(derivation, target, compiled)
+    files = {**_c_files(derivation, target, compiled, abi)}
+    files[f"python/{target.package}/{derivation.name}.py"] = python.module_file(
+        derivation.name,
+        derivation.title,
+        [python.PythonKernel(k.program, k.cost) for k in compiled.values()],
+        target.version,
+    )
+    facts = {name: _facts(derivation, made, target) for name, made in compiled.items()}
+    return Rendered(derivation.name, files, facts, _table(derivation, compiled))
+
+
+def render_shared(target: Target, rendered: Mapping[str, Rendered]) -> dict[str, str]:
+    """The files that systems share: statuses, the Python runtime, the table of signatures."""
+    package = f"python/{target.package}"
+    notice = python.NOTICE.format(version=target.version)
+    systems = sorted(rendered)
+    table = {name: rendered[name].table for name in systems}
+    init = (
+        f'{notice}"""Kernels of {", ".join(systems) or "no system yet"}."""\n\n'
+        f'__version__ = "{target.version}"\n'
+    )
+    shared = {
+        f"c/src/{target.folder}/armillary_status.h": c.status_header(target.version),
+        f"{package}/__init__.py": init,
+        f"{package}/_signatures.py": notice
+        + '"""Arguments and results of every kernel, for the compiled kernels."""\n\n'
+        + f"FOLDER = {target.folder!r}\nPREFIX = {target.c_prefix!r}\n"
+        + f"PRECISIONS = {target.precisions!r}\nSYSTEMS = {pformat(table, width=96, sort_dicts=False)}\n",
+    }
+    for name in ("_runtime.py", "_compiler.py", "native.py"):
+        shared[f"{package}/{name}"] = notice + (_RUNTIME / name).read_text(encoding="utf-8")
+    return shared
+
+
+def _c_files(
+    derivation: Derivation, target: Target, compiled: Mapping[str, Compiled], abi: str
+) -> dict[str, str]:
+    made = {name: c.CKernel(k.program, k.cost) for name, k in compiled.items()}
+    folder = f"c/src/{target.folder}"
+    files = {
+        f"{folder}/{derivation.name}.h": c.header_file(
+            derivation.name,
+            derivation.title,
+            derivation.parameters,
+            list(made.values()),
+            target.c,
+            abi,
+        )
+    }
+    for name, kernel in made.items():
+        for precision in target.precisions:
+            path = f"{folder}/{derivation.name}_{name}_{precision}.c"
+            files[path] = c.source_file(kernel, target.c, precision, abi)
+    return files
+
+
+def _abi(derivation: Derivation, target: Target, compiled: Mapping[str, Compiled]) -> str:
+    """A number that changes whenever any source or the header of a system does."""
+    parts = [target.version, target.c_prefix, *(q.name for q in derivation.parameters)]
+    parts += [k.program.digest() for k in compiled.values()]
+    return "0x" + hashlib.sha256("\n".join(parts).encode()).hexdigest()[:8] + "UL"
+
+
+def _facts(derivation: Derivation, made: Compiled, target: Target) -> KernelFacts:
+    kernel = made.program.kernel
+    definitions = kernel_definitions(derivation, kernel)
+    return KernelFacts(
+        kernel.name,
+        made.program.digest(),
+        made.cost,
+        made.strategy,
+        {identifier: definition_digest(d) for identifier, d in definitions.items()},
+        c.signature(kernel, target.c, target.precisions[-1]),
+    )
+
+
+def _table(derivation: Derivation, compiled: Mapping[str, Compiled]) -> dict[str, object]:
+    """Names and sizes in the order of the C arguments."""
+    kernels = {}
+    for name, made in compiled.items():
+        kernel, used = made.program.kernel, made.program.inputs_used()
+        kernels[name] = {
+            "inputs": [(q.name, 3 if q.shape else 1) for q in kernel.inputs],
+            "reads": [q.name for q in kernel.parameters if q.name in used],
+            "results": [(o.name, o.shape) for o in kernel.outputs],
+        }
+    parameters = [(q.name, 3 if q.shape else 1) for q in derivation.parameters]
+    return {"parameters": parameters, "kernels": kernels}

@@ -1,0 +1,74 @@
+"""Builds the C kernels into a shared library, once, and keeps it in the user's cache."""
+
+import hashlib
+import os
+import shlex
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+FLAGS = ["-std=c99", "-O2", "-ffp-contract=off", "-fno-math-errno", "-fPIC", "-shared"]
+
+
+class NoCompilerError(RuntimeError):
+    """There is no C compiler on this machine, or it cannot build the kernels."""
+
+
+def library(sources: Path, extra: str) -> Path:
+    """The shared library of every source in a folder and one more text.
+
+    Raises:
+        NoCompilerError: says what to install, or what the compiler said.
+    """
+    compiler = _compiler()
+    files = sorted([*sources.glob("*.c"), *sources.glob("*.h")])
+    if not files:
+        raise FileNotFoundError(f"no C kernels in {sources}")
+    key = hashlib.sha256(" ".join([*compiler, *FLAGS, sys.platform, _version(compiler)]).encode())
+    for file in files:
+        key.update(file.name.encode() + file.read_bytes())
+    key.update(extra.encode())
+    target = _cache() / f"kernels-{key.hexdigest()[:24]}.so"
+    if not target.exists():
+        _build(compiler, sources, extra, target)
+    return target
+
+
+def _compiler() -> list[str]:
+    named = os.environ.get("CC")
+    for command in [named] if named else ["cc", "gcc", "clang"]:
+        words = shlex.split(command)
+        if shutil.which(words[0]):
+            return words
+    what = f"CC={named} is not there" if named else "no C compiler (cc, gcc or clang) was found"
+    raise NoCompilerError(
+        f"{what}: install gcc or clang (on Debian: apt-get install gcc), or set CC; "
+        "the functions outside `native` need none"
+    )
+
+
+def _version(compiler: list[str]) -> str:
+    found = subprocess.run([*compiler, "--version"], capture_output=True, text=True, check=False)
+    return found.stdout
+
+
+def _cache() -> Path:
+    base = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
+    folder = Path(base) / "armillary"
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+def _build(compiler: list[str], sources: Path, extra: str, target: Path) -> None:
+    with tempfile.TemporaryDirectory(dir=target.parent) as scratch:
+        batch = Path(scratch) / "batch.c"
+        batch.write_text(extra, encoding="utf-8")
+        made = Path(scratch) / target.name
+        inputs = [str(p) for p in sorted(sources.glob("*.c"))]
+        command = [*compiler, *FLAGS, f"-I{sources}", "-o", str(made), str(batch), *inputs, "-lm"]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise NoCompilerError(f"{shlex.join(command)} failed:\n{done.stderr}")
+        made.replace(target)

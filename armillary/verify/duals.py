@@ -1,0 +1,233 @@
+"""Every derivative that a rule made, checked by dual numbers on the evaluator.
+
+The evaluator differentiates the base kernel's program, operation by operation; the rules of the
+algebra made the derivative kernel's program. The two share nothing but the base kernel.
+
+Which kernel is the derivative of which is read off the names of CONVENTIONS: `velocity` and
+`jacobian` belong to `pose`, and a result `x_dot` or `x_rate` to the result `x` of any kernel whose
+inputs the first one has too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import mpmath
+
+from armillary.derivation.quantity import AnyQuantity
+from armillary.derivation.record import Derivation, Kernel, Output
+from armillary.derivation.status import Status
+from armillary.program.arithmetic import DIGITS, Reals
+from armillary.program.evaluate import Answer, guard_status
+from armillary.program.program import Program
+from armillary.verify import exact
+from armillary.verify.exact import directional_derivative
+from armillary.verify.measured import Measured, Point
+from armillary.verify.points import awkward_points, joined, quantities, random_points, rows_of
+
+__all__ = ["checks", "directional_derivative", "pairs"]
+
+AGREEMENT = 1e-30
+POINTS = 12
+Programs = Mapping[str, Program]
+Row = dict[str, Any]
+Slope = Callable[[Program, Row], list[Any]]
+
+
+@dataclass(frozen=True)
+class Pair:
+    """A result made by derivative rules, and how dual numbers find the same from `base`."""
+
+    kernel: Kernel
+    output: Output
+    base: Kernel
+    claim: str
+    wanted: Slope
+
+
+def checks(record: Derivation, programs: Programs) -> Iterator[Measured]:
+    """One check for each derivative of a system.
+
+    Args:
+        programs: the compiled programs of its kernels, by name.
+    """
+    for pair in pairs(record):
+        yield _measure(pair, programs)
+
+
+def pairs(record: Derivation) -> Iterator[Pair]:
+    """Every derivative of a system that the names of its kernels tell."""
+    kernels = record.kernels
+    pose = kernels.get("pose")
+    for kernel in kernels.values():
+        for output in kernel.outputs:
+            base = _primitive(record, kernel, output)
+            if base is not None:
+                yield _rate_pair(kernel, output, *base)
+            elif pose is not None and output.name in _OF_POSE and _moves(kernel, pose):
+                yield _velocity_pair(kernel, output, pose)
+            elif pose is not None and kernel.name == "jacobian" and output.name == "J":
+                if output.shape == (6, len(pose.inputs)):
+                    yield _jacobian_pair(kernel, output, pose)
+
+
+# -- finding pairs --------------------------------------------------------------------------------
+
+
+def _primitive(
+    record: Derivation, kernel: Kernel, output: Output
+) -> tuple[Kernel, Output] | None:
+    """The result that `output` is the rate of, and a kernel that returns it."""
+    name = output.name.removesuffix("_dot").removesuffix("_rate")
+    if name == output.name:
+        return None
+    given = {id(q) for q in kernel.inputs}
+    for base in record.kernels.values():
+        for candidate in base.outputs:
+            fits = candidate.name == name and candidate.shape == output.shape
+            if fits and all(id(q) in given for q in base.inputs) and _moves(kernel, base):
+                return base, candidate
+    return None
+
+
+def _moves(kernel: Kernel, base: Kernel) -> bool:
+    """Whether the kernel is given rates of the base's inputs."""
+    return bool(_rates(kernel, base))
+
+
+def _rates(kernel: Kernel, base: Kernel) -> dict[str, str]:
+    """Inputs of the base, and the kernel's input that is the rate of each."""
+    given = {id(q): q.name for q in kernel.inputs}
+    found: dict[str, str] = {}
+    for q in base.inputs:
+        rate = q.known_rate.get("rate")
+        if rate is not None and id(rate) in given:
+            found[q.name] = given[id(rate)]
+    return found
+
+
+# -- what dual numbers say ------------------------------------------------------------------------
+
+
+def _rate_pair(kernel: Kernel, output: Output, base: Kernel, of: Output) -> Pair:
+    rates = _rates(kernel, base)
+
+    def wanted(program: Program, row: Row) -> list[Any]:
+        slopes = exact.flat(_along(program, base, row, rates).results[of.name])
+        return [d.slope for d in slopes]
+
+    claim = f"{output.name} is the time derivative of {of.name}"
+    return Pair(kernel, output, base, claim, wanted)
+
+
+def _velocity_pair(kernel: Kernel, output: Output, pose: Kernel) -> Pair:
+    rates = _rates(kernel, pose)
+
+    def wanted(program: Program, row: Row) -> list[Any]:
+        return _OF_POSE[output.name](*_matrices(_along(program, pose, row, rates)))
+
+    return Pair(kernel, output, pose, f"{output.name} by dual numbers of the pose", wanted)
+
+
+def _jacobian_pair(kernel: Kernel, output: Output, pose: Kernel) -> Pair:
+    def wanted(program: Program, row: Row) -> list[Any]:
+        columns = []
+        for q in pose.inputs:
+            answer = directional_derivative(program, _only(row, pose), {q.name: 1.0})
+            matrix, change = _matrices(answer)
+            columns.append(_origin(matrix, change) + _spin_space(matrix, change))
+        return [column[i] for i in range(6) for column in columns]
+
+    return Pair(kernel, output, pose, "each column of J by dual numbers of the pose", wanted)
+
+
+def _along(program: Program, base: Kernel, row: Row, rates: Mapping[str, str]) -> Answer:
+    return directional_derivative(
+        program, _only(row, base), {name: row[rate] for name, rate in rates.items()}
+    )
+
+
+def _only(row: Row, kernel: Kernel) -> Row:
+    return {q.name: row[q.name] for q in quantities(kernel)}
+
+
+def _matrices(answer: Answer) -> tuple[Any, Any]:
+    """The pose and its rate, 4 by 4."""
+    (duals,) = (v for v in answer.results.values() if len(exact.flat(v)) == 16)
+    values = mpmath.matrix(4, 4), mpmath.matrix(4, 4)
+    for k, dual in enumerate(duals):
+        values[0][k // 4, k % 4], values[1][k // 4, k % 4] = dual.value, dual.slope
+    return values
+
+
+def _vee(m: Any) -> list[Any]:
+    return [m[2, 1], m[0, 2], m[1, 0]]
+
+
+def _spin_space(m: Any, change: Any) -> list[Any]:
+    return _vee(change[:3, :3] * m[:3, :3].T)
+
+
+def _spin_body(m: Any, change: Any) -> list[Any]:
+    return _vee(m[:3, :3].T * change[:3, :3])
+
+
+def _origin(m: Any, change: Any) -> list[Any]:
+    return [change[i, 3] for i in range(3)]
+
+
+def _velocity_matrix(m: Any, change: Any) -> list[Any]:
+    back = m[:3, :3].T
+    inverse = mpmath.eye(4)
+    inverse[:3, :3], inverse[:3, 3] = back, -(back * m[:3, 3])
+    return list(change * inverse)
+
+
+def _spatial(m: Any, change: Any) -> list[Any]:
+    return _velocity_matrix(m, change)[3:12:4]
+
+
+_OF_POSE: dict[str, Callable[[Any, Any], list[Any]]] = {
+    "Omega_space": _spin_space,
+    "Omega_body": _spin_body,
+    "v_origin": _origin,
+    "v_spatial": _spatial,
+    "V_space": _velocity_matrix,
+}
+
+
+# -- measuring ------------------------------------------------------------------------------------
+
+
+def _measure(pair: Pair, programs: Programs) -> Measured:
+    program, base = programs[pair.kernel.name], programs[pair.base.name]
+    bad, tried = 0.0, 0
+    at: Point = {}
+    for row in _regular(program, base, _all_quantities(pair)):
+        found = exact.run(program, row, Reals()).results[pair.output.name]
+        with mpmath.workdps(DIGITS + 10):
+            error = exact.worst(exact.flat(found), pair.wanted(base, row))
+        tried += 1
+        if not error <= bad:
+            bad, at = error, row
+    worst = bad if tried else float("nan")
+    why = "" if tried else "no point of the range is regular"
+    return Measured(
+        pair.claim, "dual numbers", pair.kernel.name, tried, worst, AGREEMENT, at, why
+    )
+
+
+def _all_quantities(pair: Pair) -> list[AnyQuantity]:
+    both = [*quantities(pair.kernel), *quantities(pair.base)]
+    return list(dict.fromkeys(both))
+
+
+def _regular(program: Program, base: Program, known: list[AnyQuantity]) -> Iterator[Row]:
+    """Points inside the limits where both kernels answer with status 0."""
+    reals = Reals()
+    for row in rows_of(joined(random_points(known, POINTS, seed=5), awkward_points(known))):
+        legal = all(guard_status(p.guards, row) == Status.OK for p in (program, base))
+        if legal and all(exact.run(p, row, reals).status == Status.OK for p in (program, base)):
+            yield row

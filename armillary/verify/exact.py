@@ -1,0 +1,111 @@
+"""Fifty-digit evaluation: of the program, and of the text-book expression through SymPy."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import mpmath
+import sympy
+
+from armillary.algebra.explicit import Explicit, Node, symbol, vector_symbol
+from armillary.algebra.scalar import Symbol
+from armillary.algebra.vector import VectorSymbol
+from armillary.derivation.quantity import Constant, Quantity, VectorQuantity
+from armillary.derivation.symbols import leaves
+from armillary.program.arithmetic import DIGITS, Dual, Duals, Reals
+from armillary.program.evaluate import Answer, evaluate
+from armillary.program.program import Program
+
+Row = Mapping[str, Any]
+Leaf = Symbol | VectorSymbol
+
+
+def numbers(reals: Reals, row: Row) -> dict[str, Any]:
+    """Plain inputs as exact 50-digit numbers."""
+    return {
+        name: [reals.number(c) for c in value] if isinstance(value, list) else reals.number(value)
+        for name, value in row.items()
+    }
+
+
+def run(program: Program, row: Row, reals: Reals) -> Answer:
+    """The program at one point, without its guards."""
+    return evaluate(program, numbers(reals, row), reals)
+
+
+def directional_derivative(
+    program: Program, inputs: Row, direction: Row, reals: Reals | None = None
+) -> Answer:
+    """Values and slopes of a program along a direction, by dual numbers.
+
+    Args:
+        inputs: every input and parameter, a float or a list of three floats.
+        direction: how fast each of them moves; what is left out is held.
+
+    Returns:
+        An answer whose results are `Dual`s, or flat row-major lists of them.
+    """
+    reals = reals or Reals()
+    still = reals.number(0)
+    duals: dict[str, Any] = {}
+    for name, value in numbers(reals, inputs).items():
+        speed = direction.get(name)
+        if isinstance(value, list):
+            speeds = [still] * 3 if speed is None else [reals.number(c) for c in speed]
+            duals[name] = [Dual(v, d) for v, d in zip(value, speeds, strict=True)]
+        else:
+            duals[name] = Dual(value, still if speed is None else reals.number(speed))
+    return evaluate(program, duals, Duals(reals))
+
+
+class Function:
+    """SymPy expressions as a function at 50 digits.
+
+    Args:
+        entries: the expressions, constants of the derivation included.
+        symbols: the symbols they stand on, as `leaves` finds them.
+    """
+
+    def __init__(self, entries: Sequence[sympy.Expr], symbols: Sequence[Leaf]) -> None:
+        exact = {symbol(c.name): c.value for c in symbols if isinstance(c, Constant)}
+        self.entries = [e.subs(exact) if exact else e for e in entries]
+        self.quantities = [q for q in symbols if isinstance(q, (Quantity, VectorQuantity))]
+        self._function: Callable[..., Any] | None = None
+
+    def __call__(self, row: Row) -> list[Any]:
+        """Values of the entries at one point (floats, lists of three floats)."""
+        if self._function is None:
+            names = [n for q in self.quantities for n in _sympy_names(q)]
+            self._function = sympy.lambdify(names, self.entries, modules="mpmath", cse=True)
+        with mpmath.workdps(DIGITS + 10):
+            given = [mpmath.mpf(x) for q in self.quantities for x in flat(row[q.name])]
+            return list(self._function(*given))
+
+
+def text_book(value: Node) -> Function:
+    """The explicit SymPy form of a value, row-major; every name in it opened."""
+    form = Explicit()(value)
+    return Function(entries_of(form), leaves(value))
+
+
+def entries_of(form: sympy.Basic) -> list[sympy.Expr]:
+    """The scalars of a SymPy form, row-major."""
+    return list(form) if isinstance(form, sympy.MatrixBase) else [form]
+
+
+def _sympy_names(q: Quantity | VectorQuantity) -> list[sympy.Symbol]:
+    return [symbol(q.name)] if isinstance(q, Quantity) else list(vector_symbol(q.name))
+
+
+def flat(value: Any) -> list[Any]:
+    """A scalar or a flat list, as a list."""
+    return value if isinstance(value, list) else [value]
+
+
+def worst(found: Sequence[Any], wanted: Sequence[Any]) -> float:
+    """Largest difference, relative to the largest entry of `wanted` where that is above 1."""
+    with mpmath.workdps(DIGITS + 10):
+        scale = max([mpmath.mpf(1), *(abs(mpmath.mpf(w)) for w in wanted)])
+        pairs = zip(found, wanted, strict=True)
+        return float(max(abs(mpmath.mpf(f) - mpmath.mpf(w)) for f, w in pairs) / scale)

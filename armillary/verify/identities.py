@@ -1,0 +1,133 @@
+"""Proofs: what an author claims, and what every derivation owes without being asked.
+
+An identity is first tried at points, because a number that is not zero settles it at once, and then
+reduced to zero by SymPy, which settles it for good.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import mpmath
+import sympy
+
+from armillary.algebra.explicit import Explicit, reduce_trigonometry
+from armillary.algebra.rigid import Pose
+from armillary.algebra.rotation import Rotation
+from armillary.algebra.scalar import Condition
+from armillary.derivation.record import Block, Definition, Identity, Kernel
+from armillary.derivation.symbols import leaves
+from armillary.program.arithmetic import DIGITS, Reals
+from armillary.program.program import Program
+from armillary.verify import exact
+from armillary.verify.measured import Measured, Point
+from armillary.verify.points import random_points, rows_of
+
+AGREEMENT = 1e-40
+POINTS = 8
+# Above this many operations a normal form would take minutes; the points must do.
+_REDUCIBLE = 3000
+
+
+class NotComparable(Exception):
+    """The two sides of an identity have different shapes."""
+
+
+def prove(identity: Identity) -> Measured:
+    """One identity of the author: at points, then for all values.
+
+    `engine` is "SymPy" where the difference was reduced to zero, and "50 digits" where SymPy
+    could not and only the points speak; `why` then says so, with the residual.
+    """
+    symbols = leaves((identity.left, identity.right))
+    difference = _difference(identity.left, identity.right)
+    return _zero(identity.claim, exact.Function(difference, symbols))
+
+
+def text_book_rotation(definition: Definition) -> Measured | None:
+    """R^T R = 1 and det R = 1 for a definition that holds a rotation; None for any other."""
+    block = definition.expression
+    rotation = block.rotation if isinstance(block, Pose) else block
+    if not isinstance(rotation, Rotation):
+        return None
+    matrix = sympy.Matrix(Explicit()(rotation))
+    defects = [*(matrix.T * matrix - sympy.eye(3)), matrix.det(method="berkowitz") - 1]
+    claim = f"the rotation of {definition.name} is orthonormal and proper"
+    return _zero(claim, exact.Function(defects, leaves(rotation)))
+
+
+def text_book_expression(kernel: Kernel, program: Program) -> Iterator[Measured]:
+    """Each result of the program equals the explicit expression of its definition."""
+    reals = Reals()
+    rows = list(rows_of(random_points(kernel, POINTS, seed=3)))
+    answers = [exact.run(program, row, reals) for row in rows]
+    for output in kernel.outputs:
+        book = exact.text_book(output.value)
+        bad, tried = 0.0, 0
+        at: Point = {}
+        for row, answer in zip(rows, answers, strict=True):
+            if answer.status >= 0:
+                tried += 1
+                error = exact.worst(exact.flat(answer.results[output.name]), book(row))
+                if error >= bad:
+                    bad, at = error, dict(row)
+        yield Measured(
+            f"{output.name}: the program equals the text-book expression",
+            "SymPy, 50 digits", kernel.name, tried, bad if tried else float("nan"), AGREEMENT, at,
+            "" if tried else "no point of the range has a non-negative status",
+        )  # fmt: skip
+
+
+def _difference(left: Block, right: Block) -> list[sympy.Expr]:
+    if isinstance(left, Condition) or isinstance(right, Condition):
+        raise NotComparable("an identity compares values, not conditions")
+    explicit = Explicit()
+    a, b = explicit(left), explicit(right)
+    shapes = [getattr(x, "shape", ()) for x in (a, b)]
+    if shapes[0] != shapes[1]:
+        raise NotComparable(f"the left side has the shape {shapes[0]}, the right side {shapes[1]}")
+    return exact.entries_of(a - b)
+
+
+def _zero(claim: str, function: exact.Function) -> Measured:
+    """Whether all entries of a function are zero."""
+    bad, at = _at_points(function)
+    if not bad <= AGREEMENT:
+        residual = next(e for e in function.entries if e != 0)
+        why = f"residual: {_short(residual)}"
+        return Measured(claim, "50 digits", None, POINTS, bad, AGREEMENT, at, why)
+    left_over = _reduced(function.entries)
+    if left_over is None:
+        return Measured(claim, "SymPy", None, 0, 0.0, 0.0, {}, "proved for all values")
+    why = f"not proved for all values, it holds at {POINTS} points; residual: {_short(left_over)}"
+    return Measured(claim, "50 digits", None, POINTS, bad, AGREEMENT, at, why)
+
+
+def _at_points(function: exact.Function) -> tuple[float, Point]:
+    """The largest entry met, and where; NaN counts as large."""
+    bad = 0.0
+    at: Point = {}
+    for row in rows_of(random_points(function.quantities, POINTS, seed=4)):
+        error = float(max((abs(value) for value in function(row)), default=0))
+        if not error <= bad:
+            bad, at = error, dict(row)
+    return bad, at
+
+
+def _reduced(entries: list[sympy.Expr]) -> sympy.Expr | None:
+    """What SymPy could not reduce to zero; None when nothing is left."""
+    for entry in entries:
+        if sympy.count_ops(entry) > _REDUCIBLE:
+            return entry
+        try:
+            left_over = reduce_trigonometry(entry)
+        except sympy.PolynomialError:  # a sine below a root or an arc tangent
+            left_over = sympy.simplify(entry)
+        if left_over != 0:
+            return left_over
+    return None
+
+
+def _short(expression: sympy.Expr) -> str:
+    text = str(expression)
+    return text if len(text) <= 200 else text[:197] + "..."

@@ -1,0 +1,99 @@
+"""The generated kernels as they are called: each target behind one small interface."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+import warnings
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armillary.verify.engines import need
+
+Inputs = Mapping[str, NDArray[Any]]
+Results = dict[str, NDArray[Any]]
+
+
+@dataclass(frozen=True)
+class Implementation:
+    """One target of one system.
+
+    Attributes:
+        name: "numpy f64", "c f32", ...; the key in the tolerances.
+        dtype: what it computes in; inputs are rounded to it first.
+        call: kernel name and arrays of that dtype to results by name, `status` among them.
+    """
+
+    name: str
+    dtype: type[np.floating[Any]]
+    call: Callable[[str, Inputs], Results]
+
+    @property
+    def epsilon(self) -> float:
+        """Spacing of floats at 1."""
+        return float(np.finfo(self.dtype).eps)
+
+
+def generated_module(folder: Path, package: str, system: str) -> ModuleType:
+    """The generated Python module of a system, from `folder` and from nowhere else.
+
+    Raises:
+        ModuleNotFoundError: if it was not generated yet.
+    """
+    _forget_foreign(folder, package)
+    sys.path.insert(0, str(folder))
+    try:
+        importlib.invalidate_caches()
+        return importlib.import_module(f"{package}.{system}")
+    finally:
+        sys.path.remove(str(folder))
+
+
+def python_implementations(module: ModuleType) -> list[tuple[str, Callable[[], Implementation]]]:
+    """Makers of every way a Python module is run; one whose library is absent raises
+    `EngineMissing` when made."""
+
+    def maker(name: str, dtype: Any, library: str | None) -> Callable[[], Implementation]:
+        return lambda: _python(module, name, dtype, library)
+
+    ways = (
+        ("numpy f64", np.float64, None),
+        ("numpy f32", np.float32, None),
+        ("array-api-strict f64", np.float64, "array_api_strict"),
+        ("dask f64", np.float64, "dask.array"),
+    )
+    return [(name, maker(name, dtype, library)) for name, dtype, library in ways]
+
+
+def _python(module: ModuleType, name: str, dtype: Any, library: str | None) -> Implementation:
+    convert = np.asarray if library is None else _from_numpy(need(library))
+
+    def call(kernel: str, inputs: Inputs) -> Results:
+        given = {n: convert(a) for n, a in inputs.items()}
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            answer = getattr(module, kernel)(**given)
+            return {field: np.asarray(getattr(answer, field)) for field in answer._fields}
+
+    return Implementation(name, dtype, call)
+
+
+def _from_numpy(library: Any) -> Callable[[NDArray[Any]], Any]:
+    if hasattr(library, "from_array"):
+        # Several chunks: a kernel must not depend on seeing the whole batch.
+        return lambda a: library.from_array(a, chunks=(max(1, (len(a) + 1) // 2), *a.shape[1:]))
+    return lambda a: library.asarray(a)
+
+
+def _forget_foreign(folder: Path, package: str) -> None:
+    """Drop a package of the same name that was imported from elsewhere, or from older files."""
+    for name in [n for n in sys.modules if n == package or n.startswith(f"{package}.")]:
+        path = getattr(sys.modules[name], "__file__", None)
+        if path is None or folder.resolve() not in Path(path).resolve().parents:
+            del sys.modules[name]

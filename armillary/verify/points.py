@@ -1,0 +1,153 @@
+"""Points at which kernels are checked: random ones, awkward ones, and ones to be refused."""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armillary.derivation.quantity import AnyQuantity, Kind, Role
+from armillary.derivation.record import Derivation, Kernel
+from armillary.derivation.units import RADIAN
+
+Array = NDArray[np.float64]
+Value = float | tuple[float, float, float]
+
+# Zenith and horizon, quarter and half turns, and an angle that nobody normalised.
+AWKWARD_ANGLES = (0.0, np.pi / 2, -np.pi / 2, np.pi, -np.pi, 2 * np.pi, 999.0, -999.0)
+_AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+# A little off the vertical. The offsets are not round, so that no author's threshold meets them.
+AWKWARD_DIRECTIONS: tuple[tuple[float, float, float], ...] = (
+    *_AXES,
+    *((-x, -y, -z) for x, y, z in _AXES),
+    (3.3e-4, 0.0, float(np.sqrt(1 - 3.3e-4**2))),
+    (-3.3e-9, 4.7e-9, 1.0),
+    (0.0, -3.3e-4, -float(np.sqrt(1 - 3.3e-4**2))),
+)
+
+
+def quantities(record: Derivation | Kernel | Sequence[AnyQuantity]) -> list[AnyQuantity]:
+    """The inputs and parameters of a kernel or a system, in the order declared."""
+    if isinstance(record, Derivation):
+        taken = (Role.INPUT, Role.PARAMETER)
+        return [q for q in record.quantities.values() if q.facts.role in taken]
+    if isinstance(record, Kernel):
+        return [*record.inputs, *record.parameters]
+    return list(record)
+
+
+def random_points(
+    record: Derivation | Kernel | Sequence[AnyQuantity], n: int, seed: int = 0
+) -> dict[str, Array]:
+    """`n` points spread evenly over the declared ranges: arrays (n,), vectors (n, 3).
+
+    Each quantity has a stream of its own, so a quantity added to a system moves no other's points.
+    """
+    return {q.name: _random(q, n, _stream(q.name, seed)) for q in quantities(record)}
+
+
+def awkward_points(record: Derivation | Kernel | Sequence[AnyQuantity]) -> dict[str, Array]:
+    """Points where formulas break.
+
+    Each quantity at each of its awkward values, once with the others at random and once with every
+    other at its plainest value; and the corners where all take their k-th awkward value together.
+    """
+    known = quantities(record)
+    choices = {q.name: _awkward(q) for q in known}
+    rows: list[dict[str, Value]] = []
+    for q in known:
+        for value in choices[q.name]:
+            rows.append({q.name: value})
+            rows.append({name: c[0] for name, c in choices.items()} | {q.name: value})
+    longest = max((len(c) for c in choices.values()), default=0)
+    for k in range(longest):
+        rows.append({name: c[k % len(c)] for name, c in choices.items()})
+    return _filled(known, rows, seed=1)
+
+
+def illegal_points(record: Derivation | Kernel | Sequence[AnyQuantity]) -> dict[str, Array]:
+    """Points that a kernel must refuse, one fault each; the rest is at random.
+
+    The faults: NaN, infinities, beyond the limits, vectors that are no unit vectors.
+    """
+    known = quantities(record)
+    rows = [{q.name: fault} for q in known for fault in _faults(q)]
+    return _filled(known, rows, seed=2)
+
+
+def joined(first: Mapping[str, Array], second: Mapping[str, Array]) -> dict[str, Array]:
+    """The points of both, one after the other."""
+    return {name: np.concatenate([first[name], second[name]]) for name in first}
+
+
+def count(points: Mapping[str, Array]) -> int:
+    """How many points there are; a kernel without quantities has one."""
+    return min((len(a) for a in points.values()), default=1)
+
+
+def rows_of(points: Mapping[str, Array]) -> Iterator[dict[str, Any]]:
+    """The points one by one: floats, and lists of three floats."""
+    for k in range(count(points)):
+        yield {name: array[k].tolist() for name, array in points.items()}
+
+
+def _stream(name: str, seed: int) -> np.random.Generator:
+    return np.random.default_rng([seed, zlib.crc32(name.encode())])
+
+
+def _random(q: AnyQuantity, n: int, stream: np.random.Generator) -> Array:
+    if q.facts.kind is Kind.UNIT_VECTOR:
+        made = stream.normal(size=(n, 3))
+        return np.asarray(made / np.linalg.norm(made, axis=1, keepdims=True))
+    low, high = q.facts.range
+    return stream.uniform(low, high, size=(n, *q.shape))
+
+
+def _awkward(q: AnyQuantity) -> list[Value]:
+    """Awkward values inside the limits of one quantity; the first is the plainest."""
+    low, high = q.facts.limits
+    if q.facts.kind is Kind.UNIT_VECTOR:
+        return list(AWKWARD_DIRECTIONS)
+    scalars: list[float] = []
+    for value in (*(AWKWARD_ANGLES if _is_angle(q) else (0.0,)), *q.facts.range, low, high):
+        if low <= value <= high and value not in scalars:
+            scalars.append(float(value))
+    if q.shape == ():
+        return list(scalars)
+    spikes = [tuple(v if k == i else 0.0 for k in range(3)) for v in scalars for i in range(3)]
+    inside = [s for s in spikes if all(low <= c <= high for c in s)]
+    return [(s[0], s[1], s[2]) for s in dict.fromkeys(inside)]
+
+
+def _is_angle(q: AnyQuantity) -> bool:
+    return q.unit.agrees(RADIAN) and q.unit.angle == 1
+
+
+def _faults(q: AnyQuantity) -> list[Value]:
+    low, high = q.facts.limits
+    beyond = [low - max(1.0, abs(low)) * 0.01, high + max(1.0, abs(high)) * 0.01, 1e30, -1e30]
+    bad = [float("nan"), float("inf"), -float("inf"), *beyond]
+    if q.shape == ():
+        return list(bad)
+    middle = 0.0 if low <= 0.0 <= high else low
+    faults: list[Value] = []
+    for k, value in enumerate(bad):
+        x, y, z = (value if i == k % 3 else middle for i in range(3))
+        faults.append((x, y, z))
+    if q.facts.kind is Kind.UNIT_VECTOR:
+        faults += [(0.0, 0.0, 0.0), (0.6, 0.6, 0.6), (0.0, 0.0, 0.99)]
+    return faults
+
+
+def _filled(known: list[AnyQuantity], rows: Sequence[Mapping[str, Value]], seed: int) -> dict[
+    str, Array
+]:  # fmt: skip
+    """What a row leaves open is taken at random."""
+    points = random_points(known, len(rows), seed)
+    for k, row in enumerate(rows):
+        for name, value in row.items():
+            points[name][k] = value
+    return points
