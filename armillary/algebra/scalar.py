@@ -53,7 +53,9 @@ class Scalar:
         return negate(self)
 
     def __pow__(self, exponent: int) -> Scalar:
-        if not isinstance(exponent, int) or exponent < 1:
+        if not isinstance(exponent, int):
+            return NotImplemented
+        if exponent < 1:
             raise TypeError(f"only whole powers from 1 up are kept as products, not {exponent!r}")
         return self if exponent == 1 else multiply(self ** (exponent - 1), self)
 

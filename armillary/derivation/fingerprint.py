@@ -10,7 +10,8 @@ import sympy
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.algebra.rotation import RotationReference
-from armillary.derivation.record import Definition, Derivation, Kernel
+from armillary.derivation.record import Derivation
+from armillary.derivation.statements import Definition, Kernel
 
 Reference = s.ScalarReference | s.ConditionReference | v.VectorReference | RotationReference
 _REFERENCES = (s.ScalarReference, s.ConditionReference, v.VectorReference, RotationReference)
@@ -72,7 +73,7 @@ class _Digest:
             value = getattr(node, "value", None)
             return f"symbol {node.name} {sympy.srepr(value) if value is not None else ''}"
         if isinstance(node, sympy.Basic):
-            return sympy.srepr(node)
+            return str(sympy.srepr(node))
         inner = " ".join(self.of(part) for part in _parts(node))
         plain = repr(node) if isinstance(node, (str, int)) else ""
         return f"{type(node).__name__} {plain} {inner}"

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import TypeVar
-
-import sympy
+from collections.abc import Mapping, Sequence
+from typing import Any, TypeVar
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
-from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench
-from armillary.algebra.rotation import Rotation, RotationReference
+from armillary.algebra.rigid import Pose, Twist, Wrench
 from armillary.derivation.errors import DerivationError, Source, caller
 from armillary.derivation.names import check_name
+from armillary.derivation.naming import latex_name, named
+from armillary.derivation.quantities import Quantities
 from armillary.derivation.quantity import (
     AnyQuantity,
     Constant,
@@ -23,173 +21,20 @@ from armillary.derivation.quantity import (
     Rate,
     Role,
     VectorQuantity,
-    default_limits,
-    default_range,
 )
+from armillary.derivation.statements import Block, Case, Definition, Identity, Kernel, Output
 from armillary.derivation.status import Status
 from armillary.derivation.symbols import leaves
 from armillary.derivation.units import (
-    METRE,
     ONE,
-    RADIAN,
     SECOND,
     Unit,
     UnitError,
     check_block,
 )
 
-Block = Pose | Twist | Wrench | Matrix | Rotation | s.Scalar | v.Vector | s.Condition
 B = TypeVar("B", bound=Block)
-
-
-@dataclass(frozen=True, eq=False)
-class Definition:
-    """`name := expression`, with the reason for the step.
-
-    `value` is what later lines use (it carries the name); `expression` is what was written.
-    """
-
-    name: str
-    identifier: str
-    expression: Block
-    value: Block
-    because: str
-    meaning: str
-    printed: str | None
-    unit: Unit | None
-    latex: str
-    source: Source
-
-
-@dataclass(frozen=True, eq=False)
-class Identity:
-    """Two expressions that must be equal for reasons the definitions do not share."""
-
-    claim: str
-    left: Block
-    right: Block
-    source: Source
-
-
-@dataclass(frozen=True, eq=False)
-class Output:
-    """A named result of a kernel."""
-
-    name: str
-    value: s.Scalar | v.Vector | Rotation | Matrix
-    definition: Definition | None
-    unit: Unit | None
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        if isinstance(self.value, Matrix):
-            return self.value.shape
-        if isinstance(self.value, Rotation):
-            return (3, 3)
-        return (3,) if isinstance(self.value, v.Vector) else ()
-
-
-@dataclass(frozen=True, eq=False)
-class Case:
-    """A condition under which a kernel answers with a status of its own."""
-
-    status: Status
-    condition: s.Condition
-    because: str
-
-
-@dataclass(frozen=True, eq=False)
-class Kernel:
-    """A function that every target prints."""
-
-    system: str
-    name: str
-    summary: str
-    inputs: tuple[AnyQuantity, ...]
-    parameters: tuple[AnyQuantity, ...]
-    outputs: tuple[Output, ...]
-    cases: tuple[Case, ...]
-    source: Source
-
-
-class Quantities:
-    """Declares quantities of one role: `d.length(...)` inputs, `d.parameter.length(...)`."""
-
-    def __init__(self, record: Derivation, role: Role, rate: Rate) -> None:
-        self._record, self._role, self._rate = record, role, rate
-
-    def scalar(
-        self,
-        name: str,
-        meaning: str,
-        *,
-        unit: Unit = ONE,
-        rate: Rate | None = None,
-        kind: Kind = Kind.REAL,
-        limits: tuple[float, float] | None = None,
-        range: tuple[float, float] | None = None,
-        latex: str | None = None,
-    ) -> Quantity:
-        """A scalar in any unit; `limits` are refused beyond, `range` is where it works."""
-        facts = self._facts(name, meaning, unit, rate, kind, limits, range, latex)
-        return self._record._declare(Quantity(name, facts, self._record._make_rate, {}))
-
-    def angle(self, name: str, meaning: str, **more: object) -> Quantity:
-        """An angle in radians; every finite angle up to 1000 rad is legal."""
-        return self.scalar(name, meaning, unit=RADIAN, **more)  # type: ignore[arg-type]
-
-    def length(self, name: str, meaning: str, **more: object) -> Quantity:
-        """A length in metres that may not be negative."""
-        return self.scalar(name, meaning, unit=METRE, kind=Kind.NON_NEGATIVE, **more)  # type: ignore[arg-type]
-
-    def time(self, name: str, meaning: str, **more: object) -> Quantity:
-        """A time in seconds."""
-        return self.scalar(name, meaning, unit=SECOND, **more)  # type: ignore[arg-type]
-
-    def vector(
-        self,
-        name: str,
-        meaning: str,
-        *,
-        unit: Unit = ONE,
-        rate: Rate | None = None,
-        kind: Kind = Kind.REAL,
-        limits: tuple[float, float] | None = None,
-        range: tuple[float, float] | None = None,
-        latex: str | None = None,
-    ) -> VectorQuantity:
-        """A vector of three components in one unit."""
-        facts = self._facts(name, meaning, unit, rate, kind, limits, range, latex)
-        return self._record._declare(VectorQuantity(name, facts, self._record._make_rate, {}))
-
-    def unit_vector(self, name: str, meaning: str, **more: object) -> VectorQuantity:
-        """A vector of norm 1; refused when its square is off by more than 1e-3."""
-        return self.vector(name, meaning, kind=Kind.UNIT_VECTOR, **more)  # type: ignore[arg-type]
-
-    def _facts(
-        self,
-        name: str,
-        meaning: str,
-        unit: Unit,
-        rate: Rate | None,
-        kind: Kind,
-        limits: tuple[float, float] | None,
-        range: tuple[float, float] | None,
-        latex: str | None,
-    ) -> Facts:
-        source = caller()
-        check_name(name, "quantity", source)
-        return Facts(
-            meaning=meaning,
-            unit=unit,
-            rate=rate or self._rate,
-            role=self._role,
-            kind=kind,
-            limits=limits or default_limits(unit, kind),
-            range=range or default_range(unit, kind),
-            latex=latex or latex_name(name),
-            source=source,
-        )
+Q = TypeVar("Q", Quantity, VectorQuantity)
 
 
 class Derivation(Quantities):
@@ -269,7 +114,7 @@ class Derivation(Quantities):
         self._check_symbols(f"definition {name}", expression, source)
         found = self._check_unit(name, expression, unit, source)
         identifier = f"{self.name}-{name}"
-        value = _named(name, identifier, expression)
+        value = named(name, identifier, expression)
         definition = Definition(
             name, identifier, expression, value, because.strip(), meaning, printed, found,
             latex or latex_name(name), source,
@@ -425,7 +270,7 @@ class Derivation(Quantities):
         self, outputs: Sequence[Block] | Mapping[str, Block], source: Source
     ) -> list[Output]:
         if not isinstance(outputs, Mapping):
-            named: dict[str, Block] = {}
+            by_name: dict[str, Block] = {}
             for value in outputs:
                 definition = self.definition_of(value)
                 if definition is None:
@@ -434,8 +279,8 @@ class Derivation(Quantities):
                         "d.define it, or give outputs={'name': expression}",
                         source,
                     )
-                named[definition.name] = value
-            outputs = named
+                by_name[definition.name] = value
+            outputs = by_name
         return [self._output(name, value, source) for name, value in outputs.items()]
 
     def _output(self, name: str, value: Block, source: Source) -> Output:
@@ -473,9 +318,6 @@ class Derivation(Quantities):
             )
 
 
-Q = TypeVar("Q", Quantity, VectorQuantity)
-
-
 class Used:
     """Another derivation, as seen from the one that uses it."""
 
@@ -483,13 +325,13 @@ class Used:
         self.derivation = derivation
         self._user = user
 
-    def __getitem__(self, name: str) -> Callable[..., object] | Block:
+    def __getitem__(self, name: str) -> Any:
         if name not in self.derivation.definitions:
             names = ", ".join(self.derivation.definitions)
             raise DerivationError(
                 f"{self.derivation.name} defines no {name}", f"it defines {names}", caller()
             )
-        return self.derivation.definitions[name].value  # type: ignore[return-value]
+        return self.derivation.definitions[name].value
 
     def quantity(self, name: str) -> AnyQuantity:
         """A quantity of the other system, for use as an input here."""
@@ -504,46 +346,3 @@ class Used:
         d = self.derivation
         mine = {id(q) for q in (*d.quantities.values(), *d.constants.values())}
         return id(leaf) in mine or any(leaf in used for used in d.used.values())
-
-
-def _named(name: str, identifier: str, expression: Block) -> Block:
-    """The expression under its name; blocks carry the name on their parts."""
-    if isinstance(expression, s.Scalar):
-        return s.ScalarReference(name, identifier, expression)
-    if isinstance(expression, v.Vector):
-        return v.VectorReference(name, identifier, expression)
-    if isinstance(expression, Rotation):
-        return RotationReference(name, identifier, expression)
-    if isinstance(expression, s.Condition):
-        return s.ConditionReference(name, identifier, expression)
-    if isinstance(expression, Pose):
-        return Pose(
-            RotationReference(f"{name}_R", identifier, expression.rotation),
-            v.VectorReference(f"{name}_p", identifier, expression.position),
-        )
-    if isinstance(expression, Twist):
-        return Twist(
-            v.VectorReference(f"{name}_angular", identifier, expression.angular),
-            v.VectorReference(f"{name}_linear", identifier, expression.linear),
-        )
-    if isinstance(expression, Wrench):
-        return Wrench(
-            v.VectorReference(f"{name}_moment", identifier, expression.moment),
-            v.VectorReference(f"{name}_force", identifier, expression.force),
-        )
-    rows = tuple(
-        tuple(_entry(name, identifier, i, j, entry) for j, entry in enumerate(row))
-        for i, row in enumerate(expression.rows)
-    )
-    return Matrix(rows)
-
-
-def _entry(name: str, identifier: str, i: int, j: int, entry: s.Scalar) -> s.Scalar:
-    if isinstance(entry, s.Number):
-        return entry
-    return s.ScalarReference(f"{name}_{i + 1}{j + 1}", identifier, entry)
-
-
-def latex_name(name: str) -> str:
-    """The printed form of a code name: Omega_space, L_0, gamma_dot."""
-    return sympy.latex(sympy.Symbol(name))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy
 
-from armillary.derivation.record import Kernel
+from armillary.derivation.statements import Kernel
 from armillary.derivation.status import Status
 from armillary.program.program import Data, Instruction, Label, Op, Program, Result
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from armillary.derivation.record import Kernel
+from armillary.derivation.statements import Kernel
 from armillary.program.arithmetic import Reals
 from armillary.program.cost import Cost, cost
 from armillary.program.evaluate import evaluate

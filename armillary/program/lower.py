@@ -19,7 +19,7 @@ from armillary.algebra.direction import Azimuth, Elevation
 from armillary.algebra.rigid import Matrix
 from armillary.algebra.rotation import Elementary, Rotation, RotationReference, factors
 from armillary.derivation.quantity import Constant
-from armillary.derivation.record import Kernel, Output
+from armillary.derivation.statements import Kernel, Output
 from armillary.program.builder import Builder
 from armillary.program.program import Op, Program, Result
 

@@ -9,10 +9,11 @@ from __future__ import annotations
 import hashlib
 from dataclasses import dataclass, field
 from enum import Enum
+from typing import Union
 
 import sympy
 
-from armillary.derivation.record import Kernel
+from armillary.derivation.statements import Kernel
 from armillary.derivation.status import Status
 from armillary.program.guards import Guard, guards_of
 
@@ -50,7 +51,7 @@ VECTOR_OPS = frozenset({Op.PACK, Op.ADD_VECTORS, Op.NEGATE_VECTOR, Op.SCALE, Op.
 STRUCTURED_OPS = VECTOR_OPS | {Op.PICK, Op.DOT}
 CONDITION_OPS = frozenset({Op.LESS, Op.BOTH, Op.NOT})
 
-Data = sympy.Expr | str | int | tuple[str, int] | None
+Data = Union[sympy.Expr, str, int, tuple[str, int], None]
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from armillary.program.builder import Builder
 from armillary.program.program import Op, Program, Result
 
@@ -30,7 +32,7 @@ class Rewriter:
         instruction = self.program.instructions[number]
         args = [self.new[a] for a in instruction.args]
         b = self.builder
-        rules = {
+        rules: dict[Op, Callable[..., int]] = {
             Op.NEGATE: b.negate,
             Op.ADD: b.add,
             Op.MULTIPLY: b.multiply,
@@ -46,7 +48,7 @@ class Rewriter:
             Op.SELECT: b.select,
         }
         if instruction.op in rules:
-            return int(rules[instruction.op](*args))
+            return rules[instruction.op](*args)
         return b.emit(instruction.op, *args, data=instruction.data)
 
     def carry_labels(self, number: int) -> None:

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from armillary.derivation.quantity import AnyQuantity, Kind
-from armillary.derivation.record import Kernel
+from armillary.derivation.statements import Kernel
 from armillary.program.arithmetic import Reals
 
 _PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79)

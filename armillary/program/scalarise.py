@@ -42,7 +42,7 @@ class _Scalarise(Rewriter):
         return x, y, z
 
     def open_pick(self, i: Instruction) -> int:
-        return self.vectors[i.args[0]][i.data]
+        return self.vectors[i.args[0]][_whole(i)]
 
     def open_add_vectors(self, i: Instruction) -> Triple:
         left, right = (self.vectors[a] for a in i.args)
@@ -58,7 +58,7 @@ class _Scalarise(Rewriter):
     def open_rotate(self, i: Instruction) -> Triple:
         sine, cosine = self.new[i.args[0]], self.new[i.args[1]]
         turned = list(self.vectors[i.args[2]])
-        first, second = (i.data + 1) % 3, (i.data + 2) % 3
+        first, second = (_whole(i) + 1) % 3, (_whole(i) + 2) % 3
         b, p, q = self.builder, turned[first], turned[second]
         turned[first] = b.add(b.multiply(cosine, p), b.negate(b.multiply(sine, q)))
         turned[second] = b.add(b.multiply(sine, p), b.multiply(cosine, q))
@@ -78,3 +78,9 @@ class _Scalarise(Rewriter):
         b = self.builder
         terms = [b.multiply(p, q) for p, q in zip(x, y, strict=True)]
         return b.add(b.add(terms[0], terms[1]), terms[2])
+
+
+def _whole(i: Instruction) -> int:
+    """The axis or the component of an instruction."""
+    assert isinstance(i.data, int)
+    return i.data

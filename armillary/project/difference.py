@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from armillary.project.config import Project
-from armillary.project.generate import LOCK, Say
+from armillary.project.generate import LOCK, Progress, Say
 from armillary.project.manifest import strangers
 from armillary.store.lock import locked_for_reading
 from armillary.store.transaction import in_flight
@@ -33,7 +33,7 @@ def differences(project: Project, names: tuple[str, ...], say: Say) -> int:
     with locked_for_reading(
         project.generated / LOCK, lambda: say("waiting for another run to finish")
     ):
-        texts, manifest = work.make_everything(project, _progress(say))
+        texts, manifest = work.make_everything(project, Progress(say))
         if names:
             texts = {n: texts[n] for name in names for n in manifest.systems[name].files}
         wrong = sum(_compare(project.generated, name, texts[name], say) for name in sorted(texts))
@@ -43,13 +43,6 @@ def differences(project: Project, names: tuple[str, ...], say: Say) -> int:
             say("an interrupted run left its work half done; `armillary generate` finishes it")
             wrong += 1
     return wrong
-
-
-def _progress(say: Say) -> Callable[[str, object], None]:
-    def made(name: str, _: object) -> None:
-        say(f"generated {name} anew")
-
-    return made
 
 
 def _compare(folder: Path, name: str, wanted: str, say: Say) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -47,6 +48,43 @@ class State:
     def entry(self, name: str) -> Entry | None:
         """What the manifest has of a system."""
         return self.manifest.systems.get(name) if self.manifest else None
+
+
+class Progress:
+    """Says what is at work when that takes long."""
+
+    PATIENCE = 1.0
+
+    def __init__(self, say: Say) -> None:
+        self._say = say
+        self._last = time.monotonic()
+
+    def kernel(self, system: str, name: str) -> None:
+        """A kernel is about to be compiled."""
+        if time.monotonic() - self._last > self.PATIENCE:
+            self.tell(f"at work on {system}.{name}")
+
+    def system(self, name: str, made: Made) -> None:
+        """A system has come out."""
+        self.tell(f"made {name} anew")
+
+    def tell(self, line: str) -> None:
+        """Say a line, and remember when."""
+        self._say(line)
+        self._last = time.monotonic()
+
+
+class Reporter(Progress):
+    """Says what changed in each kernel too."""
+
+    def __init__(self, state: State, say: Say) -> None:
+        super().__init__(say)
+        self._state = state
+
+    def system(self, name: str, made: Made) -> None:
+        """A system has come out."""
+        for line in system_report(name, self._state.entry(name), made.entry):
+            self.tell(line)
 
 
 def generate(project: Project, names: tuple[str, ...], say: Say) -> bool:
@@ -104,8 +142,10 @@ def _split(project: Project, state: State, names: tuple[str, ...]) -> tuple[list
         if not names or name in names or entry is None:
             return True
         mark = state.stamp.marks.get(name)
+        if not entry.intact(project.generated) or mark is None or mark.entry != entry.digest():
+            return True
         used = {f"derivations/{other}/derivation.py" for other in names}
-        return not entry.intact(project.generated) or mark is None or bool(used & set(mark.reads))
+        return bool(used & set(mark.reads))
 
     todo = [name for name in state.stale if due(name)]
     return todo, [name for name in state.stale if name not in todo]
@@ -128,17 +168,16 @@ def _up_to_date(project: Project) -> str:
 def _regenerate(project: Project, state: State, todo: list[str], say: Say) -> bool:
     from armillary.project import work
 
-    def tell(name: str, made: Made) -> None:
-        for line in system_report(name, state.entry(name), made.entry):
-            say(line)
-
-    done = work.make_all(project, todo, tell)
+    listener = Reporter(state, say)
+    done = {name: work.make_system(project, name, listener) for name in todo}
     rendered = {name: made.rendered for name, made in done.items()}
     entries = {name: made.entry for name, made in done.items()}
     for name in project.systems():
         entry = state.entry(name)
         if name not in done and entry is not None:
-            rendered[name], entries[name] = work.known_system(project, entry), entry
+            table = state.stamp.marks[name].table
+            rendered[name] = work.known_system(project, name, entry, table)
+            entries[name] = entry
     shared, manifest = work.make_shared(project, rendered, entries)
     texts = {n: text for made in done.values() for n, text in made.rendered.files.items()}
     wrote = _write(project, state, {**texts, **shared}, manifest, say)
@@ -174,5 +213,6 @@ def _warn_of_strangers(project: Project, manifest: Manifest | None, say: Say) ->
 def _stamp(project: Project, state: State, done: dict[str, Made]) -> None:
     marks = {n: m for n, m in state.stamp.marks.items() if n in project.systems()}
     for name, made in done.items():
-        marks[name] = Mark(made.reads, state.inputs.digest(made.reads), made.entry.digest())
+        inputs = state.inputs.digest(made.reads)
+        marks[name] = Mark(made.reads, inputs, made.entry.digest(), made.table)
     Stamp(state.inputs.base, marks).write(project.build / STAMP)

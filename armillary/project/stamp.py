@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -25,11 +25,19 @@ _APART = frozenset({"cli.py", "site", "store", "templates", "verify"})
 
 @dataclass(frozen=True)
 class Mark:
-    """What one system was made from, and what it became."""
+    """What one system was made from, and what it became.
+
+    Attributes:
+        reads: the files that it was read from.
+        inputs: a hash over them and the base.
+        entry: digest of the entry that the manifest got.
+        table: what the files shared by all systems tell of it, as a Python literal.
+    """
 
     reads: tuple[str, ...]
     inputs: str
     entry: str
+    table: str
 
 
 @dataclass
@@ -44,10 +52,7 @@ class Stamp:
         content = {
             "format": FORMAT,
             "base": self.base,
-            "systems": {
-                name: {"reads": mark.reads, "inputs": mark.inputs, "entry": mark.entry}
-                for name, mark in sorted(self.marks.items())
-            },
+            "systems": {name: asdict(mark) for name, mark in sorted(self.marks.items())},
         }
         replace_durably(path, (json.dumps(content, indent=1) + "\n").encode())
 
@@ -59,7 +64,7 @@ def read_stamp(path: Path) -> Stamp:
         if content["format"] != FORMAT:
             return Stamp()
         marks = {
-            name: Mark(tuple(mark["reads"]), mark["inputs"], mark["entry"])
+            name: Mark(tuple(mark["reads"]), mark["inputs"], mark["entry"], mark["table"])
             for name, mark in content["systems"].items()
         }
         return Stamp(content["base"], marks)

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import dataclasses
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from ast import literal_eval
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Protocol
 
 from armillary.derivation.load import load
 from armillary.derivation.record import Derivation
@@ -32,34 +34,43 @@ class Made:
     entry: Entry
     reads: tuple[str, ...]
 
+    @property
+    def table(self) -> str:
+        """What the shared files tell of the system, as a Python literal."""
+        return repr(self.rendered.table)
 
-def make_system(project: Project, name: str) -> Made:
+
+class Listener(Protocol):
+    """Hears how the work goes on."""
+
+    def kernel(self, system: str, name: str) -> None:
+        """A kernel is about to be compiled."""
+
+    def system(self, name: str, made: Made) -> None:
+        """A system has come out."""
+
+
+def make_system(project: Project, name: str, listener: Listener) -> Made:
     """Load, compile and render one system.
 
     Raises:
         DerivationError: for anything its derivation does wrong.
     """
     derivation = load(project.derivations / name / "derivation.py")
-    rendered = render_system(derivation, _target(project))
+    rendered = render_system(
+        derivation, _target(project), lambda kernel: listener.kernel(name, kernel.name)
+    )
     kernels = {kernel: _to_facts(facts) for kernel, facts in rendered.kernels.items()}
-    return Made(rendered, entry_of(rendered.files, kernels), _reads(project, derivation))
+    made = Made(rendered, entry_of(rendered.files, kernels), _reads(project, derivation))
+    listener.system(name, made)
+    return made
 
 
-def make_all(
-    project: Project, names: list[str], made: Callable[[str, Made], None]
-) -> dict[str, Made]:
-    """Several systems; `made` hears of each as it comes out."""
-    done = {}
-    for name in names:
-        done[name] = make_system(project, name)
-        made(name, done[name])
-    return done
-
-
-def known_system(project: Project, entry: Entry) -> Rendered:
+def known_system(project: Project, name: str, entry: Entry, table: str) -> Rendered:
     """A system as it stands on disk, which must be intact."""
     files = {name: (project.generated / name).read_bytes().decode() for name in entry.files}
-    return Rendered(files, {name: _from_facts(name, f) for name, f in entry.kernels.items()})
+    kernels = {kernel: _from_facts(kernel, facts) for kernel, facts in entry.kernels.items()}
+    return Rendered(name, files, kernels, literal_eval(table))
 
 
 def make_shared(
@@ -72,11 +83,9 @@ def make_shared(
     return shared, manifest
 
 
-def make_everything(
-    project: Project, made: Callable[[str, Made], None]
-) -> tuple[dict[str, str], Manifest]:
+def make_everything(project: Project, listener: Listener) -> tuple[dict[str, str], Manifest]:
     """All texts of a project by name, the manifest among them, from its derivations alone."""
-    done = make_all(project, project.systems(), made)
+    done = {name: make_system(project, name, listener) for name in project.systems()}
     shared, manifest = make_shared(
         project,
         {name: one.rendered for name, one in done.items()},

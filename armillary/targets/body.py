@@ -7,6 +7,7 @@ are written where they are used, everything else becomes a local under its defin
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import sympy
@@ -151,7 +152,7 @@ class _Writer:
             return self.language.constant(i.data), True
         if i.op is Op.ADD:
             return self._sum(*i.args), False
-        methods = {
+        methods: dict[Op, Callable[..., str]] = {
             Op.NEGATE: self.language.negate,
             Op.MULTIPLY: self.language.multiply,
             Op.DIVIDE: self.language.divide,
@@ -162,7 +163,7 @@ class _Writer:
         }
         if i.op in methods:
             return methods[i.op](*(self._operand(a) for a in i.args)), False
-        calls = {
+        calls: dict[Op, Callable[..., str]] = {
             Op.SQRT: self.language.sqrt,
             Op.SIN: self.language.sin,
             Op.COS: self.language.cos,

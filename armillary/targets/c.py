@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import sympy
 
 from armillary.derivation.quantity import AnyQuantity, Kind
-from armillary.derivation.record import Kernel
+from armillary.derivation.statements import Kernel
 from armillary.derivation.status import MEANINGS, Status
 from armillary.program.cost import Cost
 from armillary.program.guards import Guard

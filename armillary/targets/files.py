@@ -9,7 +9,8 @@ from pathlib import Path
 from pprint import pformat
 
 from armillary.derivation.fingerprint import definition_digest, kernel_definitions
-from armillary.derivation.record import Derivation, Kernel
+from armillary.derivation.record import Derivation
+from armillary.derivation.statements import Kernel
 from armillary.program.compile import Compiled, compile_kernel
 from armillary.program.cost import Cost
 from armillary.program.lower import Strategy

@@ -41,7 +41,8 @@ def nearest(value: sympy.Expr | Fraction | float, precision: Precision) -> Fract
         return Fraction(0)
     context.prec = precision.bits
     sign, mantissa, exponent, _ = (+exact)._mpf_
-    return (-1) ** sign * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    magnitude = Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+    return -magnitude if sign else magnitude
 
 
 def shortest(value: sympy.Expr | Fraction | float, precision: Precision) -> str:

@@ -9,7 +9,7 @@ from fractions import Fraction
 import sympy
 
 from armillary.derivation.quantity import AnyQuantity, Kind
-from armillary.derivation.record import Kernel
+from armillary.derivation.statements import Kernel
 from armillary.derivation.status import Status
 from armillary.program.cost import Cost
 from armillary.program.program import Program

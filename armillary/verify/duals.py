@@ -17,7 +17,8 @@ from typing import Any
 import mpmath
 
 from armillary.derivation.quantity import AnyQuantity
-from armillary.derivation.record import Derivation, Kernel, Output
+from armillary.derivation.record import Derivation
+from armillary.derivation.statements import Kernel, Output
 from armillary.derivation.status import Status
 from armillary.program.arithmetic import DIGITS, Reals
 from armillary.program.evaluate import Answer, guard_status

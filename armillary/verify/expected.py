@@ -15,7 +15,7 @@ from typing import Any
 import mpmath
 import numpy as np
 
-from armillary.derivation.record import Output
+from armillary.derivation.statements import Output
 from armillary.derivation.units import ONE
 from armillary.program.arithmetic import Reals
 from armillary.program.evaluate import guard_status

@@ -15,7 +15,7 @@ from armillary.algebra.explicit import Explicit, reduce_trigonometry
 from armillary.algebra.rigid import Pose
 from armillary.algebra.rotation import Rotation
 from armillary.algebra.scalar import Condition
-from armillary.derivation.record import Block, Definition, Identity, Kernel
+from armillary.derivation.statements import Block, Definition, Identity, Kernel
 from armillary.derivation.symbols import leaves
 from armillary.program.arithmetic import DIGITS, Reals
 from armillary.program.program import Program
@@ -29,7 +29,7 @@ POINTS = 8
 _REDUCIBLE = 3000
 
 
-class NotComparable(Exception):
+class NotComparableError(Exception):
     """The two sides of an identity have different shapes."""
 
 
@@ -80,12 +80,12 @@ def text_book_expression(kernel: Kernel, program: Program) -> Iterator[Measured]
 
 def _difference(left: Block, right: Block) -> list[sympy.Expr]:
     if isinstance(left, Condition) or isinstance(right, Condition):
-        raise NotComparable("an identity compares values, not conditions")
+        raise NotComparableError("an identity compares values, not conditions")
     explicit = Explicit()
     a, b = explicit(left), explicit(right)
     shapes = [getattr(x, "shape", ()) for x in (a, b)]
     if shapes[0] != shapes[1]:
-        raise NotComparable(f"the left side has the shape {shapes[0]}, the right side {shapes[1]}")
+        raise NotComparableError(f"the left side has the shape {shapes[0]}, the right side {shapes[1]}")
     return exact.entries_of(a - b)
 
 

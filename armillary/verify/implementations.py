@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import importlib
+import os
+import shutil
 import sys
 import warnings
 from collections.abc import Callable, Mapping
@@ -14,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from armillary.verify.engines import need
+from armillary.verify.engines import EngineMissing, need
 
 Inputs = Mapping[str, NDArray[Any]]
 Results = dict[str, NDArray[Any]]
@@ -56,8 +58,10 @@ def generated_module(folder: Path, package: str, system: str) -> ModuleType:
 
 
 def python_implementations(module: ModuleType) -> list[tuple[str, Callable[[], Implementation]]]:
-    """Makers of every way a Python module is run; one whose library is absent raises
-    `EngineMissing` when made."""
+    """Makers of every way a Python module is run.
+
+    One whose library is absent raises `EngineMissing` when made.
+    """
 
     def maker(name: str, dtype: Any, library: str | None) -> Callable[[], Implementation]:
         return lambda: _python(module, name, dtype, library)
@@ -97,3 +101,32 @@ def _forget_foreign(folder: Path, package: str) -> None:
         path = getattr(sys.modules[name], "__file__", None)
         if path is None or folder.resolve() not in Path(path).resolve().parents:
             del sys.modules[name]
+
+
+def native_implementations(
+    folder: Path, package: str, system: str
+) -> list[tuple[str, Callable[[], Implementation]]]:
+    """Makers of the compiled C, in the precisions of the project.
+
+    Without a compiler they raise `EngineMissing`; C that does not compile is an error.
+    """
+    native = generated_module(folder, package, "native")
+
+    def maker(name: str, dtype: Any) -> Callable[[], Implementation]:
+        return lambda: _native(native, system, name, dtype)
+
+    dtypes = {"f64": np.float64, "f32": np.float32}
+    found = [p for p in dtypes if p in native.PRECISIONS]
+    return [(f"c {p}", maker(f"c {p}", dtypes[p])) for p in found]
+
+
+def _native(native: ModuleType, system: str, name: str, dtype: Any) -> Implementation:
+    if not any(shutil.which(c) for c in (os.environ.get("CC", "cc").split()[0], "gcc", "clang")):
+        raise EngineMissing("a C compiler", "install gcc or clang, or set CC")
+    module = getattr(native, system)
+
+    def call(kernel: str, inputs: Inputs) -> Results:
+        answer = getattr(module, kernel)(**inputs)
+        return {field: np.asarray(getattr(answer, field)) for field in answer._fields}
+
+    return Implementation(name, dtype, call)

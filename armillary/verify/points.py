@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from armillary.derivation.quantity import AnyQuantity, Kind, Role
-from armillary.derivation.record import Derivation, Kernel
+from armillary.derivation.record import Derivation
+from armillary.derivation.statements import Kernel
 from armillary.derivation.units import RADIAN
 
 Array = NDArray[np.float64]

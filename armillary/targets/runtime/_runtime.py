@@ -6,7 +6,8 @@ Works on any array library that array-api-compat knows: NumPy, PyTorch, JAX, das
 from typing import Any
 
 import array_api_compat
-import array_api_compat.numpy as np
+import numpy as np
+from array_api_compat import numpy as array_api_numpy
 
 NOT_FINITE, OUT_OF_RANGE = -1, -2
 UNIT_SQUARE_TOLERANCE = 1e-3
@@ -24,7 +25,7 @@ class Call:
     def __init__(self, *arguments: tuple[Any, ...]) -> None:
         given = [a[1] for a in arguments]
         arrays = [x for x in given if array_api_compat.is_array_api_obj(x)]
-        self.xp = array_api_compat.array_namespace(*arrays) if arrays else np
+        self.xp = array_api_compat.array_namespace(*arrays) if arrays else array_api_numpy
         self.dtype = self._dtype(arrays)
         raw = [c for a in arguments for c in self._components(*a)]
         shaped = self.xp.broadcast_arrays(*raw) if raw else [self.xp.asarray(0.0, dtype=self.dtype)]
@@ -41,7 +42,7 @@ class Call:
             raise TypeError(f"{name} is missing: the kernel needs it")
         if not array_api_compat.is_array_api_obj(value):
             value = np.asarray(value, dtype=np.float64)
-        if self.xp is not np and isinstance(value, np.ndarray):
+        if self.xp is not array_api_numpy and isinstance(value, np.ndarray):
             value = self.xp.asarray(value.tolist(), dtype=self.dtype)
         value = self.xp.astype(self.xp.asarray(value), self.dtype)
         if len(bounds) == 3:
@@ -51,8 +52,8 @@ class Call:
         return [value[..., k] for k in range(3)]
 
     def _guard(self, arguments: tuple[tuple[Any, ...], ...], values: list[Any]) -> None:
-        xp, self.values, position = self.xp, [], 0
-        checked = []
+        xp, position = self.xp, 0
+        checked: list[tuple[Any, float]] = []
         for argument in arguments:
             low, high = argument[2], argument[3]
             count = 1 if len(argument) == 5 else 3
@@ -71,7 +72,9 @@ class Call:
                 self._refuse(xp.logical_or(fits, xp.logical_not(inside)), square)
             checked += list(zip(group, _tuple(argument[4]), strict=True))
         fine = self.status >= 0
-        self.values = tuple(xp.where(fine, v, self._full(safe)) for v, safe in checked)
+        self.values: tuple[Any, ...] = tuple(
+            xp.where(fine, v, self._full(safe)) for v, safe in checked
+        )
 
     def _refuse(self, fits: Any, value: Any) -> None:
         """Of several faults the most negative status wins."""

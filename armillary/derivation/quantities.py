@@ -1,0 +1,103 @@
+"""How a derivation declares its quantities."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from armillary.derivation.errors import caller
+from armillary.derivation.names import check_name
+from armillary.derivation.naming import latex_name
+from armillary.derivation.quantity import (
+    Facts,
+    Kind,
+    Quantity,
+    Rate,
+    Role,
+    VectorQuantity,
+    default_limits,
+    default_range,
+)
+from armillary.derivation.units import METRE, ONE, RADIAN, SECOND, Unit
+
+if TYPE_CHECKING:
+    from armillary.derivation.record import Derivation
+
+
+class Quantities:
+    """Declares quantities of one role: `d.length(...)` inputs, `d.parameter.length(...)`."""
+
+    def __init__(self, record: Derivation, role: Role, rate: Rate) -> None:
+        self._record, self._role, self._rate = record, role, rate
+
+    def scalar(
+        self,
+        name: str,
+        meaning: str,
+        *,
+        unit: Unit = ONE,
+        rate: Rate | None = None,
+        kind: Kind = Kind.REAL,
+        limits: tuple[float, float] | None = None,
+        range: tuple[float, float] | None = None,
+        latex: str | None = None,
+    ) -> Quantity:
+        """A scalar in any unit; `limits` are refused beyond, `range` is where it works."""
+        facts = self._facts(name, meaning, unit, rate, kind, limits, range, latex)
+        return self._record._declare(Quantity(name, facts, self._record._make_rate, {}))
+
+    def angle(self, name: str, meaning: str, **more: object) -> Quantity:
+        """An angle in radians; every finite angle up to 1000 rad is legal."""
+        return self.scalar(name, meaning, unit=RADIAN, **more)  # type: ignore[arg-type]
+
+    def length(self, name: str, meaning: str, **more: object) -> Quantity:
+        """A length in metres that may not be negative."""
+        return self.scalar(name, meaning, unit=METRE, kind=Kind.NON_NEGATIVE, **more)  # type: ignore[arg-type]
+
+    def time(self, name: str, meaning: str, **more: object) -> Quantity:
+        """A time in seconds."""
+        return self.scalar(name, meaning, unit=SECOND, **more)  # type: ignore[arg-type]
+
+    def vector(
+        self,
+        name: str,
+        meaning: str,
+        *,
+        unit: Unit = ONE,
+        rate: Rate | None = None,
+        kind: Kind = Kind.REAL,
+        limits: tuple[float, float] | None = None,
+        range: tuple[float, float] | None = None,
+        latex: str | None = None,
+    ) -> VectorQuantity:
+        """A vector of three components in one unit."""
+        facts = self._facts(name, meaning, unit, rate, kind, limits, range, latex)
+        return self._record._declare(VectorQuantity(name, facts, self._record._make_rate, {}))
+
+    def unit_vector(self, name: str, meaning: str, **more: object) -> VectorQuantity:
+        """A vector of norm 1; refused when its square is off by more than 1e-3."""
+        return self.vector(name, meaning, kind=Kind.UNIT_VECTOR, **more)  # type: ignore[arg-type]
+
+    def _facts(
+        self,
+        name: str,
+        meaning: str,
+        unit: Unit,
+        rate: Rate | None,
+        kind: Kind,
+        limits: tuple[float, float] | None,
+        range: tuple[float, float] | None,
+        latex: str | None,
+    ) -> Facts:
+        source = caller()
+        check_name(name, "quantity", source)
+        return Facts(
+            meaning=meaning,
+            unit=unit,
+            rate=rate or self._rate,
+            role=self._role,
+            kind=kind,
+            limits=limits or default_limits(unit, kind),
+            range=range or default_range(unit, kind),
+            latex=latex or latex_name(name),
+            source=source,
+        )

@@ -1,0 +1,278 @@
+"""Runs every check of a project, one result at a time, and writes what the pages read.
+
+    for outcome in run(root, package="armillary_kernels"):
+        print(outcome)
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import asdict, dataclass, field, replace
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+from typing import Any
+
+from armillary.derivation.load import load_all, names
+from armillary.derivation.record import Derivation
+from armillary.program.compile import compile_kernel
+from armillary.program.program import Program
+from armillary.verify import duals, identities, parity, tolerances
+from armillary.verify.engines import EngineMissing
+from armillary.verify.implementations import (
+    Implementation,
+    generated_module,
+    native_implementations,
+    python_implementations,
+)
+from armillary.verify.measured import Measured, Point
+
+CHECKS = Path("build") / "checks.json"
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One line of `build/checks.json`.
+
+    A check that was skipped for want of an engine has neither passed nor failed.
+    `worst` is None where no number was found.
+    """
+
+    system: str
+    kernel: str | None
+    name: str
+    engine: str
+    points: int
+    worst: float | None
+    tolerance: float
+    passed: bool
+    skipped: bool = False
+    why: str = ""
+    at: Point = field(default_factory=dict)
+
+    @property
+    def failed(self) -> bool:
+        """Whether the project is wrong: a skipped check says nothing."""
+        return not (self.passed or self.skipped)
+
+    def __str__(self) -> str:
+        state = "skipped" if self.skipped else "passed" if self.passed else "FAILED"
+        kernel = f" {self.kernel}" if self.kernel else ""
+        number = "" if self.worst is None or self.skipped else f" {self.worst:.2g}"
+        bound = f" (<= {self.tolerance:.2g})" if number and self.tolerance else ""
+        more = f": {self.why}" if self.why else ""
+        return f"{state} {self.system}{kernel}: {self.name} [{self.engine}]{number}{bound}{more}"
+
+
+def run(
+    root: Path,
+    package: str,
+    systems: Sequence[str] | None = None,
+    *,
+    points: int = parity.POINTS,
+) -> Iterator[Outcome]:
+    """Every check of some systems (all by default), in the order of trust.
+
+    Identities, text-book forms and dual numbers need only the derivation; the simulations and the
+    parity of targets run the generated files below `<root>/generated`.
+
+    Raises:
+        DerivationError: if a derivation cannot be read.
+    """
+    records = load_all(root / "derivations")
+    for system in systems if systems is not None else names(root / "derivations"):
+        for measured in _of_system(root, package, records[system], points):
+            yield _outcome(system, measured)
+
+
+def write(root: Path, outcomes: Iterable[Outcome]) -> Path:
+    """Put results into `<root>/build/checks.json`; those of other systems stay."""
+    path = root / CHECKS
+    fresh = [_plain(o) for o in outcomes]
+    ran = {o["system"] for o in fresh}
+    there = set(names(root / "derivations"))
+    kept = [o for o in read(root) if o["system"] in there - ran]
+    lines = sorted([*kept, *fresh], key=lambda o: str(o["system"]))
+    tolerances.write_atomically(path, json.dumps(lines, indent=1, allow_nan=False) + "\n")
+    return path
+
+
+def read(root: Path) -> list[dict[str, Any]]:
+    """The results of the last run; empty before the first."""
+    path = root / CHECKS
+    if not path.is_file():
+        return []
+    found: list[dict[str, Any]] = json.loads(path.read_text("utf-8"))
+    return found
+
+
+def update_tolerances(
+    root: Path, package: str, systems: Sequence[str] | None = None
+) -> Iterator[Outcome]:
+    """Measure every target anew and commit what was found to `tolerances.json`.
+
+    A target that is not available here keeps its old tolerance; one whose statuses are wrong, or
+    that returns no number, gets none.
+    """
+    records = load_all(root / "derivations")
+    for system in systems if systems is not None else names(root / "derivations"):
+        folder = root / "derivations" / system
+        measured: list[tuple[str, str, float]] = []
+        for found, implementation in _parity(root, package, records[system], parity.POINTS):
+            if isinstance(found, Measured) and found.name == parity.VALUES and implementation:
+                if math.isfinite(found.worst) and found.kernel is not None:
+                    tolerance = tolerances.rounded_up(found.worst, implementation.epsilon)
+                    measured.append((found.kernel, implementation.name, tolerance))
+                    found = replace(found, tolerance=tolerance)
+            yield _outcome(system, found)
+        known = tolerances.read(folder)
+        kernels = records[system].kernels
+        kept = {kernel: targets for kernel, targets in known.items() if kernel in kernels}
+        tolerances.write(folder, tolerances.merged(kept, measured))
+
+
+# -- one system -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Skipped:
+    """A check that could not run here."""
+
+    name: str
+    engine: str
+    why: str
+
+
+Found = Measured | Skipped
+
+
+def _of_system(root: Path, package: str, record: Derivation, points: int) -> Iterator[Found]:
+    programs = {name: compile_kernel(k).program for name, k in record.kernels.items()}
+    yield from _proofs(record, programs)
+    yield from duals.checks(record, programs)
+    yield from _simulation(root, package, record)
+    for found, _ in _parity(root, package, record, points, programs):
+        yield found
+
+
+def _proofs(record: Derivation, programs: dict[str, Program]) -> Iterator[Found]:
+    for identity in record.identities:
+        try:
+            yield identities.prove(identity)
+        except identities.NotComparableError as problem:
+            nan = float("nan")
+            yield Measured(identity.claim, "SymPy", None, 0, nan, 0.0, {}, str(problem))
+    for definition in record.definitions.values():
+        proof = identities.text_book_rotation(definition)
+        if proof is not None:
+            yield proof
+    for name, kernel in record.kernels.items():
+        yield from identities.text_book_expression(kernel, programs[name])
+
+
+def _simulation(root: Path, package: str, record: Derivation) -> Iterator[Found]:
+    """The checks of `simulation.py`, as far as its engines are installed."""
+    path = root / "derivations" / record.name / "simulation.py"
+    if not path.is_file():
+        return
+    try:
+        module = _module_of(path)
+        kernels = generated_module(root / "generated" / "python", package, record.name)
+        yield from module.checks(kernels)
+    except EngineMissing as missing:
+        yield Skipped("simulation", missing.engine, str(missing))
+    except Exception as problem:  # a simulation is the author's code: report it, go on
+        text = f"{type(problem).__name__}: {problem}"
+        yield Measured("simulation", "simulation.py", None, 0, float("nan"), 0.0, {}, text)
+
+
+def _module_of(path: Path) -> Any:
+    spec = spec_from_file_location(f"_armillary_simulation_{path.parent.name}", path)
+    assert spec is not None and spec.loader is not None
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def _parity(
+    root: Path,
+    package: str,
+    record: Derivation,
+    points: int,
+    programs: dict[str, Program] | None = None,
+) -> Iterator[tuple[Found, Implementation | None]]:
+    if not record.kernels:
+        return
+    if programs is None:
+        programs = {name: compile_kernel(k).program for name, k in record.kernels.items()}
+    references = {name: parity.Reference(p, points) for name, p in programs.items()}
+    known = tolerances.read(root / "derivations" / record.name)
+    for name, make in _targets(root, package, record.name):
+        try:
+            implementation = make()
+        except EngineMissing as missing:
+            yield Skipped(parity.VALUES, name, str(missing)), None
+            continue
+        except Exception as problem:
+            text = f"{type(problem).__name__}: {problem}"
+            yield Measured(parity.VALUES, name, None, 0, float("nan"), 0.0, {}, text), None
+            continue
+        for reference in references.values():
+            for found in _on_target(reference, implementation, known):
+                yield found, implementation
+
+
+def _on_target(
+    reference: parity.Reference, implementation: Implementation, known: tolerances.Tolerances
+) -> Iterator[Measured]:
+    tolerance = parity.tolerance_of(known, reference.program.kernel.name, implementation)
+    why = ""
+    if tolerance is None:
+        tolerance = tolerances.DEFAULT_ROUNDINGS * implementation.epsilon
+        why = f"no tolerance is committed; held to {tolerances.DEFAULT_ROUNDINGS} roundings"
+    yield from parity.compare_target(reference, implementation, tolerance, why)
+
+
+def _targets(
+    root: Path, package: str, system: str
+) -> list[tuple[str, Callable[[], Implementation]]]:
+    folder = root / "generated" / "python"
+    try:
+        module = generated_module(folder, package, system)
+    except ModuleNotFoundError as problem:
+        missing = problem  # named apart, because `problem` ends with this clause
+
+        def absent() -> Implementation:
+            raise missing
+
+        return [("numpy f64", absent)]
+    return [*python_implementations(module), *native_implementations(folder, package, system)]
+
+
+# -- results --------------------------------------------------------------------------------------
+
+
+def _outcome(system: str, found: Found) -> Outcome:
+    if isinstance(found, Skipped):
+        return Outcome(
+            system, None, found.name, found.engine, 0, None, 0.0, False, True, found.why
+        )
+    worst = found.worst if math.isfinite(found.worst) else None
+    return Outcome(
+        system, found.kernel, found.name, found.engine, found.points, worst, found.tolerance,
+        found.passed, False, found.why, found.at,
+    )  # fmt: skip
+
+
+def _plain(outcome: Outcome) -> dict[str, Any]:
+    """As JSON has it: what is not a number is null, by name where it is an input."""
+    plain = asdict(outcome)
+    plain["at"] = {name: _number(value) for name, value in outcome.at.items()}
+    return plain
+
+
+def _number(value: Any) -> Any:
+    if isinstance(value, list):
+        return [_number(v) for v in value]
+    return value if math.isfinite(value) else str(value)
