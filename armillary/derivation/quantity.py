@@ -88,12 +88,7 @@ class Quantity(Symbol):
         """Its time derivative: zero unless it changes from tick to tick or was given a rate."""
         if "rate" in self.known_rate:
             return self.known_rate["rate"]
-        if self.facts.role is Role.INPUT and self.facts.rate is Rate.TICK:
-            raise DerivationError(
-                f"{self.name} changes every tick, but it has no rate to differentiate with",
-                f"write {self.name}_dot = {self.name}.rate() before differentiating",
-                self.facts.source,
-            )
+        _must_be_held(self.name, self.facts)
         return ZERO
 
 
@@ -126,7 +121,11 @@ class VectorQuantity(VectorSymbol):
         return self.known_rate["rate"]
 
     def velocity(self) -> Vector:
-        return self.known_rate.get("rate", NULL)
+        """Its time derivative: null unless it changes from tick to tick or was given a rate."""
+        if "rate" in self.known_rate:
+            return self.known_rate["rate"]
+        _must_be_held(self.name, self.facts)
+        return NULL
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,6 +138,17 @@ class Constant(Symbol):
     @property
     def unit(self) -> Unit:
         return self.facts.unit
+
+
+def _must_be_held(name: str, facts: Facts) -> None:
+    """A quantity without a rate may be differentiated only if it does not move."""
+    if facts.role is Role.INPUT and facts.rate is Rate.TICK:
+        raise DerivationError(
+            f"{name} changes every tick, but it has no rate to differentiate with",
+            f"write {name}_dot = {name}.rate() before differentiating, "
+            "or declare it with rate=Rate.DAY or Rate.MOUNT if it is held",
+            facts.source,
+        )
 
 
 AnyQuantity = Quantity | VectorQuantity

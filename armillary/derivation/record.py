@@ -287,7 +287,7 @@ class Derivation(Quantities):
         check_name(name, "result", source)
         self._check_symbols(f"result {name}", value, source)
         definition = self.definition_of(value)
-        unit = definition.unit if definition else check_block(value)
+        unit = definition.unit if definition else self._check_unit(name, value, None, source)
         if isinstance(value, (Pose, Twist)):
             value = value.matrix()
         if isinstance(value, (Wrench, s.Condition)):

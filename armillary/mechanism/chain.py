@@ -127,7 +127,8 @@ class Chain:
         """Velocity of the body point that passes the base origin, in the base frame: the last
         column of `Mdot M^-1`."""
         steps = self.steps[: self.position_of(frame)]
-        return v.choice(*(_velocity_at_base(s) for s in (steps, steps, merged(steps))))
+        nested = _velocity_at_base(steps)
+        return v.choice(nested, nested, _velocity_at_base(merged(steps)))
 
     def body_angular_velocity(self, frame: str) -> v.Vector:
         """`vee(R^T Rdot)`: angular velocity of a frame, in that frame's own components."""

@@ -14,6 +14,7 @@ from armillary.project.errors import ProjectError
 PRECISIONS = ("f32", "f64")
 SETTINGS = ("kernels", "c_folder", "c_prefix", "precisions", "version")
 _IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
+_VERSION = re.compile(r"\d+\.\d+\.\d+\Z")
 
 
 @dataclass(frozen=True)
@@ -108,17 +109,17 @@ def _project(root: Path, settings: Mapping[str, Any], package: Mapping[str, Any]
             f"{where} does not name the kernel package", 'add kernels = "my_kernels"'
         )
     usual = "armillary" if kernels == "armillary_kernels" else kernels
-    found = Project(
+    version: object = settings.get("version", package.get("version", ""))
+    if not isinstance(version, str) or not _VERSION.match(version):
+        raise ProjectError(f"{where}: version {version!r}", 'write version = "0.1.0"')
+    return Project(
         root,
         _name(where, "kernels", kernels),
         _name(where, "c_folder", settings.get("c_folder", usual)),
         _name(where, "c_prefix", settings.get("c_prefix", ""), empty=True),
         _precisions(where, settings.get("precisions", list(PRECISIONS))),
-        settings.get("version", package.get("version", "")),
+        version,
     )
-    if not isinstance(found.version, str) or not re.match(r"\d+\.\d+\.\d+\Z", found.version):
-        raise ProjectError(f"{where}: version {found.version!r}", 'write version = "0.1.0"')
-    return found
 
 
 def _name(where: str, key: str, value: object, empty: bool = False) -> str:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Protocol
 
 from armillary.derivation.load import load
+from armillary.derivation.statements import Kernel
 from armillary.derivation.record import Derivation
 from armillary.program.cost import Cost
 from armillary.program.lower import Strategy
@@ -23,6 +24,7 @@ from armillary.project.manifest import (
     engine_versions,
     entry_of,
 )
+from armillary.targets.c import signature
 from armillary.targets.files import KernelFacts, Rendered, Target, render_shared, render_system
 
 
@@ -93,6 +95,12 @@ def make_everything(project: Project, listener: Listener) -> tuple[dict[str, str
     )
     texts = {n: text for one in done.values() for n, text in one.rendered.files.items()}
     return {**texts, **shared, MANIFEST: manifest.text()}, manifest
+
+
+def signature_of(project: Project, kernel: Kernel) -> str:
+    """A kernel as C declares it, in the widest precision."""
+    target = _target(project)
+    return signature(kernel, target.c, target.precisions[-1])
 
 
 def _target(project: Project) -> Target:

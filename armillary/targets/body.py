@@ -89,7 +89,7 @@ class _Writer:
         self.program, self.language = program, language
         self.taken = set(taken)
         self.temporaries = 0
-        self.uses = uses(program)
+        self.uses = appearances(program)
         self.written: list[tuple[str, bool]] = []  # the text, and whether it stands alone
         self.sizes: list[int] = []
 
@@ -179,6 +179,17 @@ class _Writer:
             if i.op is Op.NEGATE:
                 return self.language.subtract(self._operand(first), self._operand(i.args[0]))
         return self.language.add(self._operand(left), self._operand(right))
+
+
+def appearances(program: Program) -> list[int]:
+    """How often each value would be written out if nothing but signs had no name of its own."""
+    count = uses(program)
+    for number in reversed(range(len(program.instructions))):
+        i = program.instructions[number]
+        if i.op is Op.NEGATE:
+            # The sign goes where the value goes: as many times as both together.
+            count[i.args[0]] += count[number] - 1
+    return count
 
 
 def _plain(program: Program, number: int) -> bool:

@@ -69,17 +69,14 @@ def pairs(record: Derivation) -> Iterator[Pair]:
                 yield _rate_pair(kernel, output, *base)
             elif pose is not None and output.name in _OF_POSE and _moves(kernel, pose):
                 yield _velocity_pair(kernel, output, pose)
-            elif pose is not None and kernel.name == "jacobian" and output.name == "J":
-                if output.shape == (6, len(pose.inputs)):
-                    yield _jacobian_pair(kernel, output, pose)
+            elif pose is not None and _is_geometric_jacobian(kernel, output, pose):
+                yield _jacobian_pair(kernel, output, pose)
 
 
 # -- finding pairs --------------------------------------------------------------------------------
 
 
-def _primitive(
-    record: Derivation, kernel: Kernel, output: Output
-) -> tuple[Kernel, Output] | None:
+def _primitive(record: Derivation, kernel: Kernel, output: Output) -> tuple[Kernel, Output] | None:
     """The result that `output` is the rate of, and a kernel that returns it."""
     name = output.name.removesuffix("_dot").removesuffix("_rate")
     if name == output.name:
@@ -91,6 +88,11 @@ def _primitive(
             if fits and all(id(q) in given for q in base.inputs) and _moves(kernel, base):
                 return base, candidate
     return None
+
+
+def _is_geometric_jacobian(kernel: Kernel, output: Output, pose: Kernel) -> bool:
+    named = kernel.name == "jacobian" and output.name == "J"
+    return named and output.shape == (6, len(pose.inputs))
 
 
 def _moves(kernel: Kernel, base: Kernel) -> bool:
@@ -215,9 +217,7 @@ def _measure(pair: Pair, programs: Programs) -> Measured:
             bad, at = error, row
     worst = bad if tried else float("nan")
     why = "" if tried else "no point of the range is regular"
-    return Measured(
-        pair.claim, "dual numbers", pair.kernel.name, tried, worst, AGREEMENT, at, why
-    )
+    return Measured(pair.claim, "dual numbers", pair.kernel.name, tried, worst, AGREEMENT, at, why)
 
 
 def _all_quantities(pair: Pair) -> list[AnyQuantity]:

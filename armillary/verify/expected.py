@@ -9,7 +9,7 @@ zenith may be worse than a length, and neither tolerance hides the other.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import mpmath
@@ -19,6 +19,7 @@ from armillary.derivation.statements import Output
 from armillary.derivation.units import ONE
 from armillary.program.arithmetic import Reals
 from armillary.program.evaluate import guard_status
+from armillary.program.guards import Guard
 from armillary.program.program import Program
 from armillary.verify import exact
 
@@ -68,7 +69,7 @@ def expect(program: Program, row: exact.Row, epsilon: float, reals: Reals) -> Ex
         row: inputs, already rounded to the target's precision.
         epsilon: the target's rounding unit, 2^-52 or 2^-23.
     """
-    guarded = {guard_status(program.guards, r) for r in _scaled(row, epsilon)}
+    guarded = {guard_status(_widened(program.guards, w * epsilon), row) for w in (-2, 0, 2)}
     refused = guard_status(program.guards, row)
     if refused < 0 and guarded == {refused}:
         return Expected(refused, frozenset({refused}), {})
@@ -132,13 +133,12 @@ def _nudged(value: Any, epsilon: float, stream: np.random.Generator) -> Any:
         return mpmath.mpf(value) + way * mpmath.mpf(epsilon) * max(1.0, abs(value))
 
 
-def _scaled(row: exact.Row, epsilon: float) -> list[dict[str, Any]]:
-    """The point, and the point with all its inputs a rounding larger or smaller."""
-    factors = (1.0, 1.0 + 2 * epsilon, 1.0 - 2 * epsilon)
-    return [
-        {n: [c * f for c in v] if isinstance(v, list) else v * f for n, v in row.items()}
-        for f in factors
-    ]
+def _widened(guards: Sequence[Guard], by: float) -> list[Guard]:
+    """The guards with both bounds moved outward.
+
+    A target rounds a bound such as 0.1 to its own precision, and refuses accordingly.
+    """
+    return [replace(g, low=g.low - by * abs(g.low), high=g.high + by * abs(g.high)) for g in guards]
 
 
 def _reals(value: Any) -> list[Any]:

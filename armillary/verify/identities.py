@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-import mpmath
 import sympy
 
 from armillary.algebra.explicit import Explicit, reduce_trigonometry
@@ -17,7 +16,7 @@ from armillary.algebra.rotation import Rotation
 from armillary.algebra.scalar import Condition
 from armillary.derivation.statements import Block, Definition, Identity, Kernel
 from armillary.derivation.symbols import leaves
-from armillary.program.arithmetic import DIGITS, Reals
+from armillary.program.arithmetic import Reals
 from armillary.program.program import Program
 from armillary.verify import exact
 from armillary.verify.measured import Measured, Point
@@ -85,7 +84,9 @@ def _difference(left: Block, right: Block) -> list[sympy.Expr]:
     a, b = explicit(left), explicit(right)
     shapes = [getattr(x, "shape", ()) for x in (a, b)]
     if shapes[0] != shapes[1]:
-        raise NotComparableError(f"the left side has the shape {shapes[0]}, the right side {shapes[1]}")
+        raise NotComparableError(
+            f"the left side has the shape {shapes[0]}, the right side {shapes[1]}"
+        )
     return exact.entries_of(a - b)
 
 

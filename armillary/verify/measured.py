@@ -41,6 +41,15 @@ class Measured:
         return bool(self.worst <= self.tolerance)
 
 
+@dataclass(frozen=True)
+class Skipped:
+    """A check that could not run here, for want of an engine."""
+
+    name: str
+    engine: str
+    why: str
+
+
 def compare(
     name: str,
     engine: str,

@@ -1,7 +1,7 @@
 """Runs every check of a project, one result at a time, and writes what the pages read.
 
-    for outcome in run(root, package="armillary_kernels"):
-        print(outcome)
+for outcome in run(root, package="armillary_kernels"):
+    print(outcome)
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeGuard
 
 from armillary.derivation.load import load_all, names
 from armillary.derivation.record import Derivation
@@ -26,7 +26,7 @@ from armillary.verify.implementations import (
     native_implementations,
     python_implementations,
 )
-from armillary.verify.measured import Measured, Point
+from armillary.verify.measured import Measured, Point, Skipped
 
 CHECKS = Path("build") / "checks.json"
 
@@ -120,11 +120,10 @@ def update_tolerances(
         folder = root / "derivations" / system
         measured: list[tuple[str, str, float]] = []
         for found, implementation in _parity(root, package, records[system], parity.POINTS):
-            if isinstance(found, Measured) and found.name == parity.VALUES and implementation:
-                if math.isfinite(found.worst) and found.kernel is not None:
-                    tolerance = tolerances.rounded_up(found.worst, implementation.epsilon)
-                    measured.append((found.kernel, implementation.name, tolerance))
-                    found = replace(found, tolerance=tolerance)
+            if implementation is not None and _is_number(found):
+                tolerance = tolerances.rounded_up(found.worst, implementation.epsilon)
+                measured.append((str(found.kernel), implementation.name, tolerance))
+                found = replace(found, tolerance=tolerance, why="")
             yield _outcome(system, found)
         known = tolerances.read(folder)
         kernels = records[system].kernels
@@ -135,16 +134,14 @@ def update_tolerances(
 # -- one system -----------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Skipped:
-    """A check that could not run here."""
-
-    name: str
-    engine: str
-    why: str
-
-
 Found = Measured | Skipped
+
+
+def _is_number(found: Found) -> TypeGuard[Measured]:
+    """Whether a target's values were measured, and there is something to commit."""
+    if isinstance(found, Skipped) or found.name != parity.VALUES:
+        return False
+    return math.isfinite(found.worst)
 
 
 def _of_system(root: Path, package: str, record: Derivation, points: int) -> Iterator[Found]:
@@ -189,7 +186,8 @@ def _simulation(root: Path, package: str, record: Derivation) -> Iterator[Found]
 
 def _module_of(path: Path) -> Any:
     spec = spec_from_file_location(f"_armillary_simulation_{path.parent.name}", path)
-    assert spec is not None and spec.loader is not None
+    assert spec is not None
+    assert spec.loader is not None
     module = module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
@@ -255,9 +253,7 @@ def _targets(
 
 def _outcome(system: str, found: Found) -> Outcome:
     if isinstance(found, Skipped):
-        return Outcome(
-            system, None, found.name, found.engine, 0, None, 0.0, False, True, found.why
-        )
+        return Outcome(system, None, found.name, found.engine, 0, None, 0.0, False, True, found.why)
     worst = found.worst if math.isfinite(found.worst) else None
     return Outcome(
         system, found.kernel, found.name, found.engine, found.points, worst, found.tolerance,

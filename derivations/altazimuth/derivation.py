@@ -36,10 +36,7 @@ enu = d.unit_vector("enu", "unit vector to the sun", latex=r"\mathbf{c}")
 
 
 def mount(gamma, upsilon):
-    """The chain (14); the drive angles turn clockwise, as its transposes say.
-
-    (14) puts the post before the tilt, so the arm alone swings with the cradle.
-    """
+    """The joints of (14) from the ground up; the transposes there turn clockwise."""
     return (
         Chain("ground")
         .translate(Z, L_0)
@@ -56,8 +53,9 @@ gamma_dot, upsilon_dot = gamma.rate(), upsilon.rate()
 M = d.define(
     "M",
     chain.pose("ground", "collector"),
-    because="The pose of the collector is the product of its joints from the ground up.",
-    meaning="pose of the collector in east-north-up axes at the foot of the column",
+    because="The pose of the collector is the product of its joints from the ground up. The post "
+    "comes before the tilt, so only the arm swings with the cradle.",
+    meaning="pose of the collector in East-North-Up axes at the foot of the column",
     printed="14",
 )
 
@@ -67,36 +65,36 @@ Omega_space = d.define(
     "Omega_space",
     chain.angular_velocity("collector"),
     because="Angular velocities add, each about its axis as the joints before it have turned it.",
-    meaning="angular velocity of the collector, east-north-up axes",
+    meaning="angular velocity of the collector in East-North-Up axes",
     printed="16",
 )
 Omega_body = d.define(
     "Omega_body",
     chain.body_angular_velocity("collector"),
     because="The same sum, each axis carried inward to the collector instead of out to the ground.",
-    meaning="angular velocity of the collector, its own axes",
+    meaning="angular velocity of the collector in its own axes",
 )
 v_origin = d.define(
     "v_origin",
     chain.velocity("collector"),
     because="Each joint moves the collector's origin by its axis crossed with the arm from the "
-    "axis to the origin.",
+    "axis to that origin.",
     meaning="velocity of the collector's origin",
 )
 v_spatial = d.define(
     "v_spatial",
-    v_origin - Omega_space.cross(M.position),
-    because="The point of the body that passes the foot of the column lies one position vector "
-    "back from the collector's origin.",
-    meaning="velocity of the body point that passes the foot of the column",
+    chain.spatial_velocity("collector"),
+    because="Each joint moves the foot of the column, taken along as a point of the collector, by "
+    "its axis crossed with the arm from the axis to the foot.",
+    meaning="velocity of the collector's point that passes the foot of the column",
     printed="9",
 )
 V_space = d.define(
     "V_space",
     Twist(Omega_space, v_spatial),
-    because="The velocity matrix is the rate of the pose times its inverse: the skew matrix of the "
-    "angular velocity beside the velocity at the foot.",
-    meaning="velocity matrix",
+    because="The rate of the pose times its inverse is the skew matrix of the angular velocity "
+    "beside the velocity of the point at the foot.",
+    meaning="velocity matrix of the collector",
     printed="8",
 )
 J = d.define(
@@ -106,31 +104,90 @@ J = d.define(
     meaning="Jacobian: velocity of the collector's origin over its angular velocity",
 )
 
+d.identity("both angular velocities are one vector", Omega_space, M.rotation @ Omega_body)
 d.identity(
-    "both angular velocities are one vector", Omega_space, M.rotation @ Omega_body
+    "the origin's velocity is that of the point at the foot and the turn about it",
+    v_origin,
+    v_spatial + Omega_space.cross(M.position),
 )
 d.identity(
-    "the point at the foot moves as the horizontal axis carries it: the vertical axis passes there",
+    "the vertical axis passes through the foot, so only the tilt moves the point there",
     v_spatial,
     upsilon_dot * (M.rotation @ vector(1, 0, 0)).cross(vector(0, 0, L_0 + L_1)),
 )
-d.kernel("velocity", inputs=[gamma, upsilon, gamma_dot, upsilon_dot], outputs=[Omega_space, Omega_body, v_origin, v_spatial, V_space])
-from armillary.algebra import vector as v
-from armillary.algebra.derivative import Differentiator, of_time
-from armillary.algebra.rotation import rotate
-from armillary.mechanism.chain import Turn
-def spatial(chain, frame):
-    diff = Differentiator(of_time)
-    spin = vel = v.NULL
-    for step in reversed(chain.steps[:chain.position_of(frame)]):
-        if isinstance(step, Turn):
-            spin = v.add_vectors(v.scale(diff.scalar(step.angle), v.Basis(step.axis)), rotate(step.rotation, spin))
-            vel = rotate(step.rotation, vel)
-        else:
-            vel = v.add_vectors(vel, v.add_vectors(v.cross(step.offset, spin), diff.vector(step.offset)))
-    return vel
-vs = d.define("vs", spatial(chain, "collector"), because="x")
-d.identity("vs", vs, v_spatial)
-d.kernel("velocity2", inputs=[gamma, upsilon, gamma_dot, upsilon_dot], outputs={"Omega_space":Omega_space, "Omega_body":Omega_body, "v_origin":v_origin, "v_spatial":vs, "V_space":Twist(Omega_space, vs)})
-d.kernel("velocity3", inputs=[gamma, upsilon, gamma_dot, upsilon_dot], outputs=[Omega_space, Omega_body, v_origin])
-d.kernel("velocity4", inputs=[gamma, upsilon, gamma_dot, upsilon_dot], outputs=[vs])
+d.identity(
+    "the columns of the Jacobian, each at its drive's speed, add up to the velocity",
+    J.column_vector(0) * gamma_dot + J.column_vector(1) * upsilon_dot,
+    v_origin,
+)
+
+# ---- aiming ----
+
+zenith_tolerance = d.constant(
+    "zenith_tolerance",
+    "1e-6",
+    "horizontal length of the sun's direction below which the azimuth is taken as free",
+    latex=r"\tau",
+)
+horizontal = d.define(
+    "horizontal",
+    hypot(enu.x, enu.y),
+    because="The shadow of a unit pole that points to the sun has this length.",
+    meaning="length of the direction's horizontal part",
+    latex=r"\rho",
+)
+at_zenith = d.define(
+    "at_zenith",
+    horizontal < zenith_tolerance,
+    because="With the sun overhead every azimuth puts the collector on it.",
+    meaning="whether the azimuth is free",
+)
+gamma_aim = d.define(
+    "gamma_aim",
+    atan2(where(at_zenith, 0, enu.x), where(at_zenith, 1, enu.y)),
+    because="The cradle leans towards where the turntable points, so the turntable turns to the "
+    "sun's azimuth: 0 where it is free.",
+    meaning="azimuth drive angle that faces the sun",
+    latex=r"\gamma_c",
+)
+upsilon_aim = d.define(
+    "upsilon_aim",
+    atan2(horizontal, enu.z),
+    because="The cradle leans from the zenith by the sun's distance from it; of the two ways to "
+    "reach a direction, this one never leans backwards.",
+    meaning="tilt that faces the sun, in [0, pi]",
+    latex=r"\upsilon_c",
+)
+d.identity(
+    "away from the zenith the collector's third axis is on the sun",
+    mount(atan2(enu.x, enu.y), upsilon_aim).rotation("ground", "collector").column(2),
+    unit(enu),
+)
+
+# ---- kernels ----
+
+d.kernel(
+    "pose",
+    inputs=[gamma, upsilon],
+    outputs=[M],
+    summary="Pose of the collector.",
+)
+d.kernel(
+    "velocity",
+    inputs=[gamma, upsilon, gamma_dot, upsilon_dot],
+    outputs=[Omega_space, Omega_body, v_origin, v_spatial, V_space],
+    summary="Motion of the collector while the drives run.",
+)
+d.kernel(
+    "jacobian",
+    inputs=[gamma, upsilon],
+    outputs=[J],
+    summary="Motion of the collector per unit speed of each drive.",
+)
+d.kernel(
+    "aim",
+    inputs=[enu],
+    outputs={"gamma": gamma_aim, "upsilon": upsilon_aim},
+    cases=[(Status.SINGULAR, at_zenith, "the sun is at the zenith: the azimuth is free")],
+    summary="Drive angles that put the collector's third axis on the sun.",
+)

@@ -40,9 +40,9 @@ d.identity(
     elementary(Z, PI / 2) @ v,
 )
 d.identity(
-    "the two changes of axes undo each other",
-    elementary(Z, -PI / 2) @ v,
+    "the way back is a quarter to the left",
     enu_of_seu,
+    elementary(Z, -PI / 2) @ v,
 )
 
 # ---- West-South-Up ----

@@ -9,7 +9,6 @@ from armillary import (
     Status,
     X,
     Y,
-    Z,
     atan2,
     cos,
     degrees,
@@ -356,7 +355,7 @@ chord = d.define(
     "chord",
     2 * sqrt(where(crosses, crossing, 1)),
     because="On the horizon c cos(hour angle) = -s, so this is 2|c| times the sine's magnitude.",
-    meaning="chord that the horizon cuts from the sun's daily circle",
+    meaning="2|c| times the sine of the hour angle at sunset",
     latex=r"2\sqrt{c^2 - s^2}",
 )
 beyond_pole = d.define(
@@ -430,9 +429,7 @@ temperature = d.scalar(
     range=(220.0, 330.0),
     latex=r"\vartheta",
 )
-pressure_0 = d.constant(
-    "pressure_0", 101000, "pressure of the formula", unit=PASCAL, latex="P_0"
-)
+pressure_0 = d.constant("pressure_0", 101000, "pressure of the formula", unit=PASCAL, latex="P_0")
 temperature_0 = d.constant(
     "temperature_0", 283, "temperature of the formula", unit=KELVIN, latex=r"\vartheta_0"
 )

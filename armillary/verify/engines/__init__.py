@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import importlib
+from collections.abc import Callable, Iterable, Iterator
 from types import ModuleType
+from typing import Any
+
+from armillary.verify.measured import Measured, Skipped
 
 # What pip calls the engines that Python calls otherwise.
 _PACKAGES = {"pinocchio": "pin", "erfa": "pyerfa"}
@@ -33,3 +37,18 @@ def need(module: str) -> ModuleType:
         package = _PACKAGES.get(top)
         install = f"{INSTALL} (or pip install {package})" if package else INSTALL
         raise EngineMissing(top, install) from problem
+
+
+def each(
+    kernels: Any, *checks: Callable[[Any], Iterable[Measured]]
+) -> Iterator[Measured | Skipped]:
+    """Run several groups of checks, so that one missing engine does not stop the others.
+
+    def checks(kernels):
+        yield from each(kernels, by_rotations, by_pinocchio)
+    """
+    for check in checks:
+        try:
+            yield from check(kernels)
+        except EngineMissing as missing:
+            yield Skipped(check.__name__.replace("_", " "), missing.engine, str(missing))

@@ -102,9 +102,7 @@ class Mechanism:
 
     def _jacobian(self, q: Array) -> Array:
         aligned = self._pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
-        return np.array(
-            self._pin.computeFrameJacobian(self.model, self.data, q, self.tip, aligned)
-        )
+        return np.array(self._pin.computeFrameJacobian(self.model, self.data, q, self.tip, aligned))
 
     def _velocity(self, q: Array, q_dot: Array) -> Array:
         return self._motion(q, q_dot, self._pin.ReferenceFrame.LOCAL_WORLD_ALIGNED)

@@ -1,0 +1,254 @@
+"""Polar tracker: a true equatorial mount, hour axis along the earth's axis."""
+
+from armillary import (
+    PI,
+    Chain,
+    Derivation,
+    Rate,
+    Status,
+    Twist,
+    X,
+    Y,
+    Z,
+    atan2,
+    hypot,
+    unit,
+    where,
+    wrap,
+)
+
+derivation = d = Derivation(
+    "polar",
+    title="Polar tracker",
+    paper="ky",
+    summary="The mount that the paper's equatorial tracker sets out to be: a fixed tilt lays the "
+    "first drive along the earth's axis, where it runs at the steady speed of the hour angle, and "
+    "a second drive on top follows the declination.",
+)
+
+epsilon = d.angle(
+    "epsilon", "hour drive, clockwise seen from the tip of the polar axis", rate=Rate.TICK
+)
+D = d.angle("D", "declination drive", rate=Rate.TICK)
+L_0 = d.parameter.length("L_0", "height of the column, up to the fixed tilt")
+L_1 = d.parameter.length("L_1", "post along the polar axis")
+L_2 = d.parameter.length("L_2", "arm that carries the collector")
+incl = d.parameter.angle(
+    "incl", "fixed tilt of the polar axis from the zenith, leaning north", latex="I"
+)
+enu = d.unit_vector("enu", "unit vector to the sun", latex=r"\mathbf{c}")
+sun = d.use("sun")
+latitude, declination = sun.quantity("latitude"), sun.quantity("declination")
+hour_angle = sun.quantity("hour_angle")
+
+# ---- the chain ----
+
+
+def mount(incl, epsilon, D):
+    """Fixed tilt, hour axis and declination axis from the ground up, all turning clockwise."""
+    return (
+        Chain("ground")
+        .translate(Z, L_0)
+        .rotate(X, -incl)
+        .translate(Z, L_1, frame="polar")
+        .rotate(Z, -epsilon, frame="hour")
+        .rotate(X, -D, frame="cradle")
+        .translate(Y, L_2, frame="collector")
+    )
+
+
+chain = mount(incl, epsilon, D)
+epsilon_dot, D_dot = epsilon.rate(), D.rate()
+
+M = d.define(
+    "M",
+    chain.pose("ground", "collector"),
+    because="The pose of the collector is the product of its joints from the ground up.",
+    meaning="pose of the collector in East-North-Up axes at the foot of the column",
+)
+
+# ---- motion ----
+
+Omega_space = d.define(
+    "Omega_space",
+    chain.angular_velocity("collector"),
+    because="Angular velocities add, each about its axis as the joints before it have turned it.",
+    meaning="angular velocity of the collector in East-North-Up axes",
+)
+Omega_body = d.define(
+    "Omega_body",
+    chain.body_angular_velocity("collector"),
+    because="The same sum, each axis carried inward to the collector instead of out to the ground.",
+    meaning="angular velocity of the collector in its own axes",
+)
+v_origin = d.define(
+    "v_origin",
+    chain.velocity("collector"),
+    because="Each joint moves the collector's origin by its axis crossed with the arm from the "
+    "axis to that origin.",
+    meaning="velocity of the collector's origin",
+)
+v_spatial = d.define(
+    "v_spatial",
+    chain.spatial_velocity("collector"),
+    because="Each joint moves the foot of the column, taken along as a point of the collector, by "
+    "its axis crossed with the arm from the axis to the foot.",
+    meaning="velocity of the collector's point that passes the foot of the column",
+    printed="9",
+)
+V_space = d.define(
+    "V_space",
+    Twist(Omega_space, v_spatial),
+    because="The rate of the pose times its inverse is the skew matrix of the angular velocity "
+    "beside the velocity of the point at the foot.",
+    meaning="velocity matrix of the collector",
+    printed="8",
+)
+J = d.define(
+    "J",
+    chain.jacobian("collector", (epsilon, D)),
+    because="Column by column, the motion of the collector while one drive runs at unit speed.",
+    meaning="Jacobian: velocity of the collector's origin over its angular velocity",
+)
+
+d.identity("both angular velocities are one vector", Omega_space, M.rotation @ Omega_body)
+d.identity(
+    "the origin's velocity is that of the point at the foot and the turn about it",
+    v_origin,
+    v_spatial + Omega_space.cross(M.position),
+)
+d.identity(
+    "both drives turn about the head of the post, so the point at the foot moves about it",
+    v_spatial,
+    chain.pose("ground", "polar").position.cross(Omega_space),
+)
+d.identity(
+    "the columns of the Jacobian, each at its drive's speed, add up to the velocity",
+    J.column_vector(0) * epsilon_dot + J.column_vector(1) * D_dot,
+    v_origin,
+)
+
+# ---- aiming ----
+
+axis_tolerance = d.constant(
+    "axis_tolerance",
+    "1e-6",
+    "distance of the sun's direction from the polar axis below which the hour drive is free",
+    latex=r"\tau",
+)
+polar_sun = d.define(
+    "polar_sun",
+    chain.rotation("polar", "ground") @ enu,
+    because="Seen from the polar axis, the fixed tilt is undone.",
+    meaning="direction to the sun in the axes of the fixed tilt",
+    latex=r"\mathbf{c}_p",
+)
+
+
+def offset_from_axis(seen):
+    """Length of a direction's part across the polar axis."""
+    return hypot(seen.x, seen.y)
+
+
+across = d.define(
+    "across",
+    offset_from_axis(polar_sun),
+    because="This is how far the direction stands off the polar axis.",
+    meaning="length of the direction's part across the polar axis",
+    latex=r"\rho",
+)
+on_axis = d.define(
+    "on_axis",
+    across < axis_tolerance,
+    because="With the sun on the polar axis every hour angle puts the collector on it. The real "
+    "sun comes there only where the fixed tilt is far from the pole.",
+    meaning="whether the hour drive is free",
+)
+epsilon_aim = d.define(
+    "epsilon_aim",
+    atan2(where(on_axis, 0, polar_sun.x), where(on_axis, 1, polar_sun.y)),
+    because="The collector's second axis starts at the second axis of the fixed tilt and turns "
+    "clockwise with the hour drive: 0 where the drive is free.",
+    meaning="hour drive that faces the sun",
+    latex=r"\epsilon_c",
+)
+D_aim = d.define(
+    "D_aim",
+    atan2(-polar_sun.z, across),
+    because="A positive declination drive lowers the second axis away from the polar axis's tip. "
+    "Of the two ways to reach a direction, this one has cos(D) >= 0.",
+    meaning="declination drive that faces the sun, in [-pi/2, pi/2]",
+    latex="D_c",
+)
+d.identity(
+    "away from the polar axis the collector's second axis is on the sun",
+    mount(incl, atan2(polar_sun.x, polar_sun.y), D_aim).rotation("ground", "collector").column(1),
+    unit(enu),
+)
+
+# ---- setting ----
+
+incl_set = d.define(
+    "incl_set",
+    PI / 2 - latitude,
+    because="The pole stands as high as the latitude, so the axis leans from the zenith by the "
+    "rest of a right angle.",
+    meaning="fixed tilt that lays the hour axis along the earth's axis",
+    latex=r"I_\varphi",
+)
+epsilon_set = d.define(
+    "epsilon_set",
+    wrap(hour_angle + PI),
+    because="The hour axis turns with the sun; at noon the collector's second axis must look "
+    "south, half a turn from where it starts.",
+    meaning="hour drive that follows the hour angle, in [-pi, pi]",
+    latex=r"\epsilon_\omega",
+)
+D_set = d.define(
+    "D_set",
+    -declination,
+    because="The declination drive lowers the collector where the declination raises the sun.",
+    meaning="declination drive that follows the declination",
+    latex=r"D_\delta",
+)
+d.identity(
+    "at the setting the collector's second axis is on the sun",
+    mount(incl_set, hour_angle + PI, D_set).rotation("ground", "collector").column(1),
+    sun["enu"],
+)
+
+# ---- kernels ----
+
+d.kernel(
+    "pose",
+    inputs=[epsilon, D],
+    outputs=[M],
+    summary="Pose of the collector.",
+)
+d.kernel(
+    "velocity",
+    inputs=[epsilon, D, epsilon_dot, D_dot],
+    outputs=[Omega_space, Omega_body, v_origin, v_spatial, V_space],
+    summary="Motion of the collector while the drives run.",
+)
+d.kernel(
+    "jacobian",
+    inputs=[epsilon, D],
+    outputs=[J],
+    summary="Motion of the collector per unit speed of each drive.",
+)
+d.kernel(
+    "aim",
+    inputs=[enu],
+    outputs={"epsilon": epsilon_aim, "D": D_aim},
+    cases=[(Status.SINGULAR, on_axis, "the sun is on the polar axis: the hour drive is free")],
+    summary="Drive angles that put the collector's second axis on the sun, on the branch "
+    "cos(D) >= 0.",
+)
+d.kernel(
+    "setting",
+    inputs=[latitude, declination, hour_angle],
+    outputs={"incl": incl_set, "epsilon": epsilon_set, "D": D_set},
+    summary="Fixed tilt and drive angles of a mount at a latitude, straight from the sun's own "
+    "angles.",
+)

@@ -1,0 +1,68 @@
+"""Steady collector: a tilt fixed for good (Ky et al., configuration 4)."""
+
+from armillary import Chain, Derivation, X, Y, Z, atan2, cos, sin
+
+derivation = d = Derivation(
+    "steady",
+    title="Steady collector",
+    paper="ky",
+    summary="A collector at a fixed tilt, the quasi-steady mount that is never touched again. It "
+    "has no freedom, so there is no velocity and no Jacobian to derive: what matters is where it "
+    "faces, and how far the sun stands off.",
+)
+
+tilt = d.parameter.angle("tilt", "tilt of the collector, leaning north", latex="I")
+L_0 = d.parameter.length("L_0", "height of the column, up to the tilt")
+L_1 = d.parameter.length("L_1", "post beyond the tilt")
+L_2 = d.parameter.length("L_2", "arm that carries the collector")
+enu = d.unit_vector("enu", "unit vector to the sun", latex=r"\mathbf{c}")
+
+chain = (
+    Chain("ground")
+    .translate(Z, L_0)
+    .rotate(X, -tilt)
+    .translate(Z, L_1)
+    .translate(Y, L_2, frame="collector")
+)
+
+M = d.define(
+    "M",
+    chain.pose("ground", "collector"),
+    because="The pose is that of the quasi-steady mount with its angle held.",
+    meaning="pose of the collector in East-North-Up axes at the foot of the column",
+    printed="20",
+)
+normal = d.define(
+    "normal",
+    chain.rotation("ground", "collector").column(2),
+    because="The collector looks along its third axis.",
+    meaning="unit vector that the collector faces",
+    latex=r"\mathbf{n}",
+)
+incidence = d.define(
+    "incidence",
+    atan2(normal.cross(enu).norm(), normal.dot(enu)),
+    because="Sine over cosine of the angle between two directions keeps its digits where either "
+    "alone would lose them.",
+    meaning="angle between the sun and the collector's normal, in [0, pi]",
+    latex=r"\theta",
+)
+d.identity(
+    "the incidence is that of the text-book: the sun leaning in the meridian against the tilt",
+    normal.dot(enu),
+    enu.z * cos(tilt) + enu.y * sin(tilt),
+)
+d.identity(
+    "sine and cosine of the incidence belong to one angle",
+    normal.cross(enu).dot(normal.cross(enu)) + normal.dot(enu) * normal.dot(enu),
+    enu.dot(enu),
+)
+
+d.kernel("pose", inputs=[], outputs=[M], summary="Pose of the collector.")
+d.kernel("normal", inputs=[], outputs=[normal], summary="Direction that the collector faces.")
+d.kernel(
+    "incidence",
+    inputs=[enu],
+    outputs=[incidence],
+    summary="Angle between the sun and the collector's normal.",
+)
