@@ -6,8 +6,21 @@ program's doing.
 
 from __future__ import annotations
 
-from armillary import Chain, Derivation, Matrix, Rate, X, Y, Z, __version__, direction_angles, partial
-from armillary import time_derivative, unit, vector
+from armillary import (
+    Chain,
+    Derivation,
+    Matrix,
+    Rate,
+    X,
+    Y,
+    Z,
+    __version__,
+    direction_angles,
+    partial,
+    time_derivative,
+    unit,
+    vector,
+)
 from armillary.algebra.scalar import Scalar, Symbol
 from armillary.derivation.statements import Kernel as Wanted
 from armillary.derivation.units import METRE

@@ -1,1 +1,1 @@
-
+"""Typed structural expressions: what a derivation is made of."""

@@ -202,10 +202,12 @@ class Explicit:
 
 
 def symbol(name: str) -> sympy.Symbol:
+    """The SymPy symbol of a scalar name; every quantity is real."""
     return sympy.Symbol(name, real=True)
 
 
 def vector_symbol(name: str) -> sympy.Matrix:
+    """A column of the symbols of a vector's components."""
     return sympy.Matrix([symbol(f"{name}_{axis}") for axis in v.AXIS_NAMES])
 
 

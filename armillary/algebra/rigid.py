@@ -94,7 +94,7 @@ class Wrench:
 
 
 def hat(vector: Vector) -> Matrix:
-    """The skew matrix with hat(a) b = a x b."""
+    """The skew matrix whose product with b is the cross product with b."""
     x, y, z = (component(vector, i) for i in range(3))
     return Matrix(((ZERO, negate(z), y), (z, ZERO, negate(x)), (negate(y), x, ZERO)))
 

@@ -78,15 +78,18 @@ def factors(rotation: Rotation) -> tuple[Elementary, ...]:
 
 
 def compose(left: Rotation, right: Rotation) -> Rotation:
+    """The product of two rotations, as one chain of elementary ones."""
     return Composed(factors(left) + factors(right))
 
 
 def transpose(rotation: Rotation) -> Rotation:
+    """The inverse rotation: the reversed chain with opposite angles."""
     reverse = reversed(factors(rotation))
     return Composed(tuple(Elementary(f.axis, negate(f.angle)) for f in reverse))
 
 
 def rotate(rotation: Rotation, vector: Vector) -> Vector:
+    """A vector carried into the outer frame; the null vector and the identity change nothing."""
     from armillary.algebra.vector import is_null
 
     if is_null(vector) or not factors(rotation):

@@ -86,39 +86,53 @@ class Symbol(Scalar):
 
 @dataclass(frozen=True, eq=False)
 class Add(Scalar):
+    """A sum of two."""
+
     left: Scalar
     right: Scalar
 
 
 @dataclass(frozen=True, eq=False)
 class Multiply(Scalar):
+    """A product of two."""
+
     left: Scalar
     right: Scalar
 
 
 @dataclass(frozen=True, eq=False)
 class Negate(Scalar):
+    """The same with the other sign."""
+
     argument: Scalar
 
 
 @dataclass(frozen=True, eq=False)
 class Divide(Scalar):
+    """A quotient; the denominator may not be 0 where the kernel is called."""
+
     numerator: Scalar
     denominator: Scalar
 
 
 @dataclass(frozen=True, eq=False)
 class SquareRoot(Scalar):
+    """A square root of something that is never negative."""
+
     argument: Scalar
 
 
 @dataclass(frozen=True, eq=False)
 class Sine(Scalar):
+    """The sine of an angle."""
+
     argument: Scalar
 
 
 @dataclass(frozen=True, eq=False)
 class Cosine(Scalar):
+    """The cosine of an angle."""
+
     argument: Scalar
 
 
@@ -132,6 +146,8 @@ class ArcTangent(Scalar):
 
 @dataclass(frozen=True, eq=False)
 class Absolute(Scalar):
+    """An absolute value."""
+
     argument: Scalar
 
 
@@ -146,12 +162,16 @@ class Select(Scalar):
 
 @dataclass(frozen=True, eq=False)
 class Component(Scalar):
+    """One component of a vector: 0 is x, 1 is y, 2 is z."""
+
     vector: Vector
     index: int
 
 
 @dataclass(frozen=True, eq=False)
 class Dot(Scalar):
+    """The dot product of two vectors in one frame."""
+
     left: Vector
     right: Vector
 
@@ -184,23 +204,31 @@ class Condition:
 
 @dataclass(frozen=True, eq=False)
 class Less(Condition):
+    """Whether one scalar is below another."""
+
     left: Scalar
     right: Scalar
 
 
 @dataclass(frozen=True, eq=False)
 class Both(Condition):
+    """Whether two conditions hold."""
+
     left: Condition
     right: Condition
 
 
 @dataclass(frozen=True, eq=False)
 class Not(Condition):
+    """Whether a condition does not hold."""
+
     argument: Condition
 
 
 @dataclass(frozen=True, eq=False)
 class ConditionReference(Condition):
+    """A defined condition: the name stands for the expression, which is kept."""
+
     name: str
     identifier: str
     expression: Condition
@@ -224,6 +252,7 @@ def number(value: int | float | Fraction | str | sympy.Expr) -> Number:
 
 
 def as_scalar(value: Any) -> Scalar:
+    """A scalar as it is, a number as an exact one."""
     if isinstance(value, Scalar):
         return value
     if isinstance(value, (int, float, Fraction, str, sympy.Expr)):
@@ -232,14 +261,17 @@ def as_scalar(value: Any) -> Scalar:
 
 
 def is_zero(node: Scalar) -> bool:
+    """Whether a node is the number 0."""
     return isinstance(node, Number) and node.value == 0
 
 
 def is_one(node: Scalar) -> bool:
+    """Whether a node is the number 1."""
     return isinstance(node, Number) and node.value == 1
 
 
 def add(left: Scalar, right: Scalar) -> Scalar:
+    """The sum, without a term that is 0."""
     if is_zero(left):
         return right
     if is_zero(right):
@@ -248,6 +280,7 @@ def add(left: Scalar, right: Scalar) -> Scalar:
 
 
 def multiply(left: Scalar, right: Scalar) -> Scalar:
+    """The product, without a factor that is 1."""
     if is_zero(left) or is_zero(right):
         return ZERO
     if is_one(left):
@@ -258,6 +291,7 @@ def multiply(left: Scalar, right: Scalar) -> Scalar:
 
 
 def negate(argument: Scalar) -> Scalar:
+    """The negative; two signs cancel."""
     if is_zero(argument):
         return argument
     if isinstance(argument, Negate):
@@ -266,6 +300,7 @@ def negate(argument: Scalar) -> Scalar:
 
 
 def divide(numerator: Scalar, denominator: Scalar) -> Scalar:
+    """The quotient."""
     if is_zero(denominator):
         raise ZeroDivisionError("division by the number 0 in a derivation")
     if is_zero(numerator):

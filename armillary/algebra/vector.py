@@ -75,6 +75,8 @@ class Vector:
 
 @dataclass(frozen=True, eq=False)
 class Components(Vector):
+    """A vector written by its components."""
+
     components: tuple[Scalar, Scalar, Scalar]
 
 
@@ -103,23 +105,31 @@ class VectorSymbol(Vector):
 
 @dataclass(frozen=True, eq=False)
 class VectorSum(Vector):
+    """A sum of two vectors in one frame."""
+
     left: Vector
     right: Vector
 
 
 @dataclass(frozen=True, eq=False)
 class VectorNegate(Vector):
+    """The opposite vector."""
+
     argument: Vector
 
 
 @dataclass(frozen=True, eq=False)
 class Scaled(Vector):
+    """A vector times a scalar."""
+
     factor: Scalar
     vector: Vector
 
 
 @dataclass(frozen=True, eq=False)
 class Cross(Vector):
+    """The cross product of two vectors in one frame."""
+
     left: Vector
     right: Vector
 
@@ -133,6 +143,8 @@ class Unit(Vector):
 
 @dataclass(frozen=True, eq=False)
 class Rotated(Vector):
+    """A vector carried into the outer frame of a rotation."""
+
     rotation: Rotation
     vector: Vector
 
@@ -170,10 +182,12 @@ def vector(x: ScalarLike, y: ScalarLike, z: ScalarLike) -> Vector:
 
 
 def is_null(node: Vector) -> bool:
+    """Whether a vector is the null vector."""
     return isinstance(node, Components) and all(is_zero(c) for c in node.components)
 
 
 def component(node: Vector, index: int) -> Scalar:
+    """One component, opened where it is known."""
     if isinstance(node, Components):
         return node.components[index]
     if isinstance(node, Basis):
@@ -182,6 +196,7 @@ def component(node: Vector, index: int) -> Scalar:
 
 
 def add_vectors(left: Vector, right: Vector) -> Vector:
+    """The sum, without a null term."""
     if is_null(left):
         return right
     if is_null(right):
@@ -190,12 +205,14 @@ def add_vectors(left: Vector, right: Vector) -> Vector:
 
 
 def negate_vector(node: Vector) -> Vector:
+    """The opposite; two signs cancel."""
     if is_null(node):
         return node
     return node.argument if isinstance(node, VectorNegate) else VectorNegate(node)
 
 
 def scale(factor: Scalar, node: Vector) -> Vector:
+    """A multiple, with its sign outside."""
     if is_zero(factor) or is_null(node):
         return NULL
     if is_one(factor):
@@ -206,6 +223,7 @@ def scale(factor: Scalar, node: Vector) -> Vector:
 
 
 def dot(left: Vector, right: Vector) -> Scalar:
+    """The dot product; with a basis vector it is a component."""
     if is_null(left) or is_null(right):
         return ZERO
     if isinstance(left, Basis):
@@ -216,6 +234,7 @@ def dot(left: Vector, right: Vector) -> Scalar:
 
 
 def cross(left: Vector, right: Vector) -> Vector:
+    """The cross product; null if a factor is."""
     if is_null(left) or is_null(right):
         return NULL
     return Cross(left, right)
@@ -227,6 +246,7 @@ def choice(nested: Vector, summed: Vector, merged: Vector) -> Vector:
 
 
 def norm(node: Vector) -> Scalar:
+    """The length of a vector."""
     return SquareRoot(Dot(node, node))
 
 

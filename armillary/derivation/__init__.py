@@ -1,1 +1,1 @@
-
+"""The record: quantities, definitions, identities, kernels."""

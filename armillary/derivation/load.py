@@ -81,7 +81,8 @@ def _shared() -> Iterator[dict[Path, Derivation]]:
 
 def _run(path: Path) -> Derivation:
     spec = spec_from_file_location(f"_armillary_derivation_{path.parent.name}", path)
-    assert spec is not None and spec.loader is not None
+    assert spec is not None
+    assert spec.loader is not None
     module = module_from_spec(spec)
     keep, sys.dont_write_bytecode = sys.dont_write_bytecode, True
     try:

@@ -1,1 +1,1 @@
-
+"""Chains of frames and what follows from them."""

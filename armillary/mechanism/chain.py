@@ -110,8 +110,11 @@ class Chain:
         return Pose(_rotation(steps), position)
 
     def twist(self, frame: str, point: v.Vector = v.NULL) -> Twist:
-        """Motion of a frame, in the base frame: its angular velocity, and the velocity of
-        `point` (given in the moving frame; its origin by default)."""
+        """Motion of a frame, in the base frame.
+
+        Its angular velocity, and the velocity of `point` (given in the moving frame; its origin
+        by default).
+        """
         steps = self.steps[: self.position_of(frame)]
         return Twist(_angular(steps, of_time), _linear(steps, of_time, point))
 
@@ -124,8 +127,7 @@ class Chain:
         return self.twist(frame, point).linear
 
     def spatial_velocity(self, frame: str) -> v.Vector:
-        """Velocity of the body point that passes the base origin, in the base frame: the last
-        column of `Mdot M^-1`."""
+        """Velocity of the body point that passes the base origin: last column of `Mdot M^-1`."""
         steps = self.steps[: self.position_of(frame)]
         nested = _velocity_at_base(steps)
         return v.choice(nested, nested, _velocity_at_base(merged(steps)))
@@ -143,8 +145,10 @@ class Chain:
     def jacobian(
         self, frame: str, variables: tuple[Symbol, ...], point: v.Vector = v.NULL
     ) -> Matrix:
-        """6 by k geometric Jacobian in the base frame: velocity of the point over angular
-        velocity, one column for each variable."""
+        """6 by k geometric Jacobian in the base frame.
+
+        Rows are the velocity of the point over the angular velocity; a column a variable.
+        """
         steps = self.steps[: self.position_of(frame)]
         return stack_twists(tuple(_column(steps, q, point) for q in variables))
 
@@ -276,7 +280,7 @@ def _spin(steps: tuple[Step, ...], d: Differentiator) -> v.Vector:
 
 
 def _local_push(steps: tuple[Step, ...], seed: Seed, point: v.Vector) -> v.Vector:
-    """axis x arm in the frame where the axis is a basis vector, then carried to the base."""
+    """Axis x arm in the frame where the axis is a basis vector, then carried to the base."""
     d = Differentiator(seed)
     total = rotate(_rotation(steps), d.vector(point))
     for k, step in enumerate(steps):
@@ -290,7 +294,7 @@ def _local_push(steps: tuple[Step, ...], seed: Seed, point: v.Vector) -> v.Vecto
 
 
 def _base_push(steps: tuple[Step, ...], seed: Seed, point: v.Vector) -> v.Vector:
-    """axis x arm, both in the base frame: the arm is a difference of two positions."""
+    """Axis x arm, both in the base frame: the arm is a difference of two positions."""
     d = Differentiator(seed)
     tip = _summed(steps, point)
     total = rotate(_rotation(steps), d.vector(point))

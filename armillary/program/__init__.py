@@ -1,1 +1,1 @@
-
+"""The straight-line program: lowering, passes, cost, evaluation."""

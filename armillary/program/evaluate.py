@@ -9,7 +9,7 @@ from typing import Any
 from armillary.derivation.status import Status, worse
 from armillary.program.arithmetic import Arithmetic, Reals
 from armillary.program.guards import Guard
-from armillary.program.program import Instruction, Op, Program
+from armillary.program.program import Instruction, Program
 
 Inputs = Mapping[str, Any]
 

@@ -51,7 +51,8 @@ VECTOR_OPS = frozenset({Op.PACK, Op.ADD_VECTORS, Op.NEGATE_VECTOR, Op.SCALE, Op.
 STRUCTURED_OPS = VECTOR_OPS | {Op.PICK, Op.DOT}
 CONDITION_OPS = frozenset({Op.LESS, Op.BOTH, Op.NOT})
 
-Data = Union[sympy.Expr, str, int, tuple[str, int], None]
+# Evaluated at run time by mypy's reckoning, so not with |: SymPy has no types.
+Data = Union[sympy.Expr, str, int, tuple[str, int], None]  # noqa: UP007
 
 
 @dataclass(frozen=True)
@@ -113,10 +114,11 @@ class Program:
     def digest(self) -> str:
         """A hash of everything a target prints."""
         text = [repr(self.name), repr([(q.name, q.shape) for q in self.kernel.inputs])]
-        text += [
-            f"{i.op.value} {i.args} {sympy.srepr(i.data) if isinstance(i.data, sympy.Expr) else i.data!r}"
-            for i in self.instructions
-        ]
+        text += [f"{i.op.value} {i.args} {_written(i.data)}" for i in self.instructions]
         text += [repr(self.results), repr([(int(s), c) for s, c in self.cases])]
         text += [repr(sorted(self.labels.items())), repr(self.guards)]
         return hashlib.sha256("\n".join(text).encode()).hexdigest()
+
+
+def _written(data: Data) -> str:
+    return str(sympy.srepr(data)) if isinstance(data, sympy.Expr) else repr(data)

@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Protocol
 
 from armillary.derivation.load import load
-from armillary.derivation.statements import Kernel
 from armillary.derivation.record import Derivation
+from armillary.derivation.statements import Kernel
 from armillary.program.cost import Cost
 from armillary.program.lower import Strategy
 from armillary.project.config import Project

@@ -1,1 +1,1 @@
-
+"""Printers: what a program looks like in each language."""

@@ -99,14 +99,24 @@ def render_shared(target: Target, rendered: Mapping[str, Rendered]) -> dict[str,
     shared = {
         f"c/src/{target.folder}/armillary_status.h": c.status_header(target.version),
         f"{package}/__init__.py": init,
-        f"{package}/_signatures.py": notice
-        + '"""Arguments and results of every kernel, for the compiled kernels."""\n\n'
-        + f"FOLDER = {target.folder!r}\nPREFIX = {target.c_prefix!r}\n"
-        + f"PRECISIONS = {target.precisions!r}\nSYSTEMS = {pformat(table, width=96, sort_dicts=False)}\n",
+        f"{package}/_signatures.py": notice + _signatures(target, table),
     }
     for name in ("_runtime.py", "_compiler.py", "native.py"):
         shared[f"{package}/{name}"] = notice + (_RUNTIME / name).read_text(encoding="utf-8")
     return shared
+
+
+def _signatures(target: Target, table: dict[str, dict[str, object]]) -> str:
+    """The module that tells the compiled kernels what they are called with."""
+    lines = [
+        '"""Arguments and results of every kernel, for the compiled kernels."""',
+        "",
+        f"FOLDER = {target.folder!r}",
+        f"PREFIX = {target.c_prefix!r}",
+        f"PRECISIONS = {target.precisions!r}",
+        f"SYSTEMS = {pformat(table, width=90, sort_dicts=False)}",
+    ]
+    return "\n".join(lines) + "\n"
 
 
 def _c_files(
