@@ -1,8 +1,9 @@
 """The command line. Each command finds the project and leaves the work to `armillary.project`.
 
 What a command needs is imported when it runs, so that `--help` and a run with nothing to do are
-quick.
+quick. In a docstring, \\b tells click to keep the lines of a block as they are.
 """
+# ruff: noqa: D301
 
 from __future__ import annotations
 
@@ -39,7 +40,7 @@ class _Group(click.Group):
 @click.version_option(__version__, prog_name="armillary", message="%(prog)s %(version)s")
 @click.option("--debug", is_flag=True, help="Show the traceback of every error.")
 def main(debug: bool) -> None:
-    r"""Derive machines that follow the sun; write C, Python and pages from one source.
+    """Derive machines that follow the sun; write C, Python and pages from one source.
 
     Commands work on the project that the current folder belongs to: the nearest folder, here or
     above, whose pyproject.toml has a [tool.armillary].
@@ -68,7 +69,7 @@ def _say(line: str) -> None:
 @main.command()
 @click.option("--name", help="Name of the project; that of the folder, unless given.")
 def init(name: str | None) -> None:
-    r"""Make an empty project in this folder.
+    """Make an empty project in this folder.
 
     It has a pyproject.toml from which `pip install .` installs the generated kernels, a folder for
     derivations, and the beginning of a site. Nothing that is already here is overwritten.
@@ -87,7 +88,7 @@ def init(name: str | None) -> None:
 @main.command()
 @click.argument("name")
 def new(name: str) -> None:
-    r"""Add the mechanism NAME: a small tracker, to be changed into yours.
+    """Add the mechanism NAME: a small tracker, to be changed into yours.
 
     It generates, checks and renders as it is. derivations/NAME/derivation.py says what is derived,
     derivations/NAME/simulation.py computes the same in another way.
@@ -118,7 +119,7 @@ def list_systems() -> None:
 @click.argument("kernel", required=False)
 @click.option("--latex", is_flag=True, help="Print formulas as LaTeX.")
 def show(system: str, kernel: str | None, latex: bool) -> None:
-    r"""Show a SYSTEM, or one KERNEL of it: definitions, cost, checks.
+    """Show a SYSTEM, or one KERNEL of it: definitions, cost, checks.
 
     Each definition comes with its id, the reason for the step, the line it was written in and the
     number of the paper's equation.
@@ -142,7 +143,7 @@ def show(system: str, kernel: str | None, latex: bool) -> None:
     help="Write nothing; fail with a diff where generated/ is not what the derivations give.",
 )
 def generate(systems: tuple[str, ...], check: bool) -> None:
-    r"""Write the kernels of SYSTEMS, or of all, to generated/.
+    """Write the kernels of SYSTEMS, or of all, to generated/.
 
     Only what an edit touches is generated again: a system, and those that use it. For every kernel
     it says which definitions changed and the operations before and after. All files change at once
@@ -179,7 +180,7 @@ def generate(systems: tuple[str, ...], check: bool) -> None:
     help="Measure the kernels anew and write derivations/*/tolerances.json.",
 )
 def check(systems: tuple[str, ...], update_tolerances: bool) -> None:
-    r"""Check SYSTEMS, or all, against identities and independent engines.
+    """Check SYSTEMS, or all, against identities and independent engines.
 
     A row tells the engine, the number of points, the worst difference and what is allowed. An
     engine that is not installed is skipped by name; `pip install 'armillary[check]'` brings all of
@@ -209,7 +210,7 @@ def site() -> None:
 )
 @click.option("--strict/--no-strict", default=True, help="Whether a warning is an error.")
 def site_build(out: Path | None, strict: bool) -> None:
-    r"""Build the site; open index.html in it with a browser, no server is needed.
+    """Build the site; open index.html in it with a browser, no server is needed.
 
     \b
     Example:

@@ -22,7 +22,15 @@ from armillary.derivation.quantity import (
     Role,
     VectorQuantity,
 )
-from armillary.derivation.statements import Block, Case, Definition, Identity, Kernel, Output
+from armillary.derivation.statements import (
+    Block,
+    Case,
+    Definition,
+    Identity,
+    Kernel,
+    Output,
+    Picture,
+)
 from armillary.derivation.status import Status
 from armillary.derivation.symbols import leaves
 from armillary.derivation.units import (
@@ -32,6 +40,7 @@ from armillary.derivation.units import (
     UnitError,
     check_block,
 )
+from armillary.mechanism.chain import Chain
 
 B = TypeVar("B", bound=Block)
 Q = TypeVar("Q", Quantity, VectorQuantity)
@@ -60,6 +69,8 @@ class Derivation(Quantities):
         self.definitions: dict[str, Definition] = {}
         self.identities: list[Identity] = []
         self.kernels: dict[str, Kernel] = {}
+        self.assumptions: list[str] = []
+        self.pictures: list[Picture] = []
         self.used: dict[str, Used] = {}
         self._by_value: dict[int, Definition] = {}
 
@@ -166,6 +177,20 @@ class Derivation(Quantities):
         )
         self._check_reach(made)
         self.kernels[name] = made
+
+    def assume(self, sentence: str) -> None:
+        """State what the model takes for granted; the page lists it."""
+        self.assumptions.append(sentence.strip())
+
+    def picture(
+        self, chain: Chain, *, caption: str, at: dict[str, float], sun: int | None = None
+    ) -> None:
+        """Draw a chain on the page, posed at the values given by the names of its symbols.
+
+        Args:
+            sun: axis of the last frame that is drawn pointing to the sun.
+        """
+        self.pictures.append(Picture(chain, dict(at), sun, caption.strip(), caller()))
 
     def use(self, name: str) -> Used:
         """Another system's definitions; the dependency edge for incremental work."""

@@ -12,6 +12,7 @@ from armillary.derivation.errors import Source
 from armillary.derivation.quantity import AnyQuantity
 from armillary.derivation.status import Status
 from armillary.derivation.units import Unit
+from armillary.mechanism.chain import Chain
 
 Block = Pose | Twist | Wrench | Matrix | Rotation | s.Scalar | v.Vector | s.Condition
 
@@ -83,4 +84,20 @@ class Kernel:
     parameters: tuple[AnyQuantity, ...]
     outputs: tuple[Output, ...]
     cases: tuple[Case, ...]
+    source: Source
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """A chain to be drawn, posed at the values given.
+
+    Attributes:
+        at: value of each symbol by name; other angles are drawn at 0.5 rad, other lengths at 1 m.
+        sun: axis of the last frame that is drawn pointing to the sun; None draws no sun.
+    """
+
+    chain: Chain
+    at: dict[str, float]
+    sun: int | None
+    caption: str
     source: Source

@@ -10,7 +10,7 @@ from armillary.project.config import Project
 from armillary.project.generate import Say
 from armillary.verify import runner
 
-HEADER = f"{'state':<7} {'engine':<14} {'points':>7} {'worst':>8} {'allowed':>8}  claim"
+HEADER = f"{'state':<7} {'engine':<20} {'points':>7} {'worst':>8} {'allowed':>8}  claim"
 
 
 def check(project: Project, names: tuple[str, ...], update: bool, say: Say) -> bool:
@@ -42,12 +42,16 @@ def check(project: Project, names: tuple[str, ...], update: bool, say: Say) -> b
 def row(check: Mapping[str, Any]) -> str:
     """One row of a table of checks, below `HEADER`."""
     state = "skipped" if check["skipped"] else "ok" if check["passed"] else "FAILED"
-    worst = "-" if check["worst"] is None else f"{check['worst']:.1e}"
+    worst, allowed = _figure(check["worst"]), _figure(check["tolerance"])
     kernel = f"{check['kernel']}: " if check["kernel"] else ""
     return (
-        f"{state:<7} {check['engine']:<14} {check['points']:>7} {worst:>8} "
-        f"{check['tolerance']:>8.1e}  {kernel}{check['name']}"
+        f"{state:<7} {check['engine']:<20} {check['points']:>7} {worst:>8} "
+        f"{allowed:>8}  {kernel}{check['name']}"
     )
+
+
+def _figure(value: float | None) -> str:
+    return "-" if value is None else f"{value:.1e}" if value else "0"
 
 
 def _more(outcome: runner.Outcome) -> str:

@@ -133,7 +133,7 @@ class _Writer:
         else:
             self.temporaries += 1
             wanted = f"t{self.temporaries}"
-        name = _unused(wanted, self.taken)
+        name = unused(wanted, self.taken)
         self.taken.add(name)
         return name
 
@@ -197,7 +197,8 @@ def _plain(program: Program, number: int) -> bool:
     return i.op is Op.INPUT and isinstance(i.data, str)
 
 
-def _unused(wanted: str, used: set[str]) -> str:
+def unused(wanted: str, used: set[str]) -> str:
+    """A name like the one wanted that nothing has yet."""
     name, k = wanted, 1
     while name in used:
         name = f"{wanted}_value" if k == 1 else f"{wanted}_value{k}"

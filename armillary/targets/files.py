@@ -143,7 +143,8 @@ def _c_files(
 
 def _abi(derivation: Derivation, target: Target, compiled: Mapping[str, Compiled]) -> str:
     """A number that changes whenever any source or the header of a system does."""
-    parts = [target.version, target.c_prefix, *(q.name for q in derivation.parameters)]
+    parts = [target.version, target.c_prefix]
+    parts += [f"{q.name}{q.shape}" for q in derivation.parameters]
     parts += [k.program.digest() for k in compiled.values()]
     return "0x" + hashlib.sha256("\n".join(parts).encode()).hexdigest()[:8] + "UL"
 

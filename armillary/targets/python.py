@@ -82,7 +82,7 @@ def module_file(system: str, title: str, kernels: list[PythonKernel], version: s
     exported = ", ".join(f'"{k.program.kernel.name}"' for k in kernels)
     lines = [
         NOTICE.format(version=version).rstrip(),
-        f'"""{title}.',
+        f'"""{_documented(title).rstrip(".")}.',
         "",
         "SI units, radians, right-handed frames; vectors are local east-north-up unless stated.",
         "Every function takes keywords: scalars or arrays of one batch shape, with the components",
@@ -132,11 +132,13 @@ def _function(made: PythonKernel) -> list[str]:
         names = [n for q in read for n in _names(q)]
         comma = "," if len(names) == 1 else ""
         lines += _filled(f"({', '.join(names)}{comma}) = call.values", "    ", "        ")
-    taken = {n for q in read for n in _names(q)} | {"call", "xp", *(q.name for q in idle)}
+    taken = {n for q in read for n in _names(q)} | {q.name for q in (*read, *idle)}
+    taken |= {"call", "xp", "Call", result_name(kernel)}
     body = write_body(program, Python(), frozenset(taken))
     for s in body.statements:
         lines += _filled(f"{s.name} = {s.expression}", "    ", "        ", breakable=True)
-    order = sorted(body.cases, key=lambda case: (case[0] < 0, abs(case[0])))
+    # The first negative status stays, so the most negative one is asked first.
+    order = sorted(body.cases, key=lambda case: (case[0] < 0, case[0]))
     lines += [f"    call.case({s}, {c})  # {Status(s).name}" for s, c in order]
     lines.append(f"    return {result_name(kernel)}(")
     for result, entries in zip(program.results, body.results, strict=True):
@@ -178,7 +180,7 @@ def _safe(quantity: AnyQuantity) -> float:
 def _docstring(made: PythonKernel, read: list[AnyQuantity], idle: list[AnyQuantity]) -> list[str]:
     kernel = made.program.kernel
     summary = kernel.summary or kernel.name.replace("_", " ")
-    lines = [f'    """{summary[:1].upper()}{summary[1:].rstrip(".")}.', "", f"    {made.cost}", ""]
+    lines = ["", f"    {made.cost}", ""]
     if read:
         lines.append("    Args:")
         for q in read:
@@ -198,7 +200,14 @@ def _docstring(made: PythonKernel, read: list[AnyQuantity], idle: list[AnyQuanti
     for case in kernel.cases:
         text = f"status {int(case.status)} ({case.status.name}): {case.because}"
         lines += _filled(text, " " * 8, " " * 12)
-    return [*lines, '    """']
+    title = f"{summary[:1].upper()}{summary[1:].rstrip('.')}."
+    first = _filled(f'"""{_documented(title)}', "    ", "    ")
+    return [*first, *(_documented(line) for line in lines), '    """']
+
+
+def _documented(text: str) -> str:
+    """Text as it stands in a docstring."""
+    return text.replace("\\", "\\\\").replace('"""', "'''")
 
 
 def _filled(text: str, first: str, rest: str, breakable: bool = False) -> list[str]:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import sympy
 
+from armillary.program.cost import cost
 from armillary.program.program import Op, Program
 from armillary.program.rewrite import Rewriter
 
@@ -25,8 +26,17 @@ class Harmonic:
 
 
 def expand_multiple_angles(program: Program) -> Program:
-    """Replace whole multiples of an angle whose own sine or cosine is taken too."""
-    return _Expand(program, _harmonics(program)).run()
+    """Replace whole multiples of an angle, where that saves more calls than it costs."""
+    harmonics = _harmonics(program)
+    kept: dict[int, Harmonic] = {}
+    best = program
+    for base in sorted({h.base for h in harmonics.values()}):
+        # cos(8x) beside a lone sin(x) would need a cosine of x, and the recurrence on top.
+        tried = kept | {n: h for n, h in harmonics.items() if h.base == base}
+        found = _Expand(program, tried).run()
+        if cost(found).weighted < cost(best).weighted:
+            kept, best = tried, found
+    return best
 
 
 def _harmonics(program: Program) -> dict[int, Harmonic]:

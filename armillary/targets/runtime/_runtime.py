@@ -27,7 +27,9 @@ class Call:
         arrays = [x for x in given if array_api_compat.is_array_api_obj(x)]
         self.xp = array_api_compat.array_namespace(*arrays) if arrays else array_api_numpy
         self.dtype = self._dtype(arrays)
-        raw = [c for a in arguments for c in self._components(*a)]
+        with np.errstate(over="ignore", invalid="ignore"):
+            # What float32 cannot hold becomes infinite, and is refused below.
+            raw = [c for a in arguments for c in self._components(*a)]
         shaped = self.xp.broadcast_arrays(*raw) if raw else [self.xp.asarray(0.0, dtype=self.dtype)]
         self._zero = self.xp.zeros_like(shaped[0])
         self.status = self.xp.astype(self._zero, self.xp.int8)
@@ -91,10 +93,14 @@ class Call:
 
     def select(self, condition: Any, then: Any, otherwise: Any) -> Any:
         """`then` where the condition holds, else `otherwise`; numbers are spread."""
-        return self.xp.where(condition, self._zero + then, self._zero + otherwise)
+        return self.xp.where(condition, self._spread(then), self._spread(otherwise))
+
+    def _spread(self, value: Any) -> Any:
+        """A number at every point; adding it to zeros would lose the sign of -0.0."""
+        return self._full(value) if isinstance(value, (int, float)) else value
 
     def case(self, status: int, condition: Any) -> None:
-        """Report a status where a condition holds; cases come in rising severity."""
+        """Report a status where a condition holds; of negative ones the first call stays."""
         applies = self.xp.logical_and(condition, self.status >= 0)
         self.status = self.xp.where(applies, self._code(status), self.status)
 
@@ -102,7 +108,7 @@ class Call:
         """The entries on trailing axes, NaN where the status is negative."""
         refused = self.status < 0
         nan = self._full(float("nan"))
-        filled = [self.xp.where(refused, nan, self._zero + entry) for entry in entries]
+        filled = [self.xp.where(refused, nan, self._spread(entry)) for entry in entries]
         if shape == ():
             return filled[0]
         stacked = self.xp.stack(filled, axis=-1)

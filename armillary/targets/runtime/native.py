@@ -63,7 +63,9 @@ def _call(system: str, name: str, arguments: dict[str, Any], result_type: Any) -
         raise TypeError(f"{system}.{name}: arguments {problem}")
     precision = _precision([arguments[q] for q in wanted])
     dtype = _TYPES[precision][1]
-    arrays = [np.ascontiguousarray(arguments[q], dtype=dtype) for q in wanted]
+    with np.errstate(over="ignore", invalid="ignore"):
+        # What float32 cannot hold becomes infinite, and the kernel refuses it.
+        arrays = [np.asarray(arguments[q], dtype=dtype, order="C") for q in wanted]
     for q, a in zip(wanted, arrays, strict=True):
         if sizes[q] == 3 and (a.ndim == 0 or a.shape[-1] != 3):
             raise ValueError(f"{q} is a vector: its last axis must have length 3")
@@ -100,7 +102,7 @@ def _spread(array: Any, shape: tuple[int, ...], batch: tuple[int, ...], size: in
     if shape == ():
         return array
     full = batch if size == 1 else (*batch, 3)
-    return np.ascontiguousarray(np.broadcast_to(array, full))
+    return np.asarray(np.broadcast_to(array, full), order="C")
 
 
 def _pointers(arrays: list[Any]) -> Any:

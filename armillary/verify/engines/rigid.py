@@ -102,7 +102,8 @@ class Mechanism:
 
     def _jacobian(self, q: Array) -> Array:
         aligned = self._pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
-        return np.array(self._pin.computeFrameJacobian(self.model, self.data, q, self.tip, aligned))
+        found = self._pin.computeFrameJacobian(self.model, self.data, q, self.tip, aligned)
+        return np.array(found).reshape(6, -1)  # a single column arrives flat
 
     def _velocity(self, q: Array, q_dot: Array) -> Array:
         return self._motion(q, q_dot, self._pin.ReferenceFrame.LOCAL_WORLD_ALIGNED)

@@ -1,0 +1,142 @@
+"""How the names of a derivation are printed: every symbol of a page gets its LaTeX here."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import fields
+
+import sympy
+
+from armillary.algebra import scalar as s
+from armillary.algebra import vector as v
+from armillary.algebra.rotation import RotationReference
+from armillary.derivation.naming import latex_name
+from armillary.derivation.quantity import Constant, Quantity, VectorQuantity
+from armillary.derivation.record import Derivation
+from armillary.derivation.statements import Definition
+
+Reference = s.ScalarReference | s.ConditionReference | v.VectorReference | RotationReference
+REFERENCES = (s.ScalarReference, s.ConditionReference, v.VectorReference, RotationReference)
+
+# A definition of a block lends its name to its parts; `%s` is the block's own name.
+_PARTS = {
+    "R": "R_{%s}",
+    "p": r"\mathbf{p}_{%s}",
+    "angular": r"\boldsymbol{\omega}_{%s}",
+    "linear": r"\mathbf{v}_{%s}",
+    "force": r"\mathbf{f}_{%s}",
+    "moment": r"\mathbf{m}_{%s}",
+}
+_SUBSCRIPT = re.compile(r"(?P<base>.*)_(?:\{(?P<group>(?:[^{}]|\{[^{}]*\})*)\}|(?P<one>\\?\w+))\Z")
+_WORD = re.compile(r"(?<![\\A-Za-z])[A-Za-z]{2,}(?![A-Za-z])")
+_GREEK = frozenset(
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau "
+    "upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega".split()
+)
+
+
+
+
+class Notation:
+    """The names of one derivation and of those that it uses."""
+
+    def __init__(self, derivation: Derivation) -> None:
+        self.derivation = derivation
+        self._leaves: dict[int, str] = {}
+        self.definitions: dict[str, Definition] = {}
+        self._collect(derivation)
+
+    def _collect(self, derivation: Derivation) -> None:
+        for used in derivation.used.values():
+            self._collect(used.derivation)
+        for leaf in (*derivation.quantities.values(), *derivation.constants.values()):
+            self._leaves[id(leaf)] = quantity_latex(leaf)
+        for definition in derivation.definitions.values():
+            self.definitions[definition.identifier] = definition
+
+    def leaf(self, node: s.Symbol | v.VectorSymbol) -> str:
+        """LaTeX of a quantity."""
+        return self._leaves.get(id(node)) or upright(latex_name(node.name))
+
+    def reference(self, node: Reference) -> str:
+        """LaTeX of a definition, or of the part of one that a reference names."""
+        definition = self.definitions.get(node.identifier)
+        if definition is None:
+            return upright(latex_name(node.name))
+        own = definition_latex(definition)
+        part = node.name[len(definition.name) + 1 :]
+        if not part:
+            return own
+        if part in _PARTS:
+            return _PARTS[part] % own
+        return subscripted(own, part)
+
+
+def quantity_latex(quantity: Quantity | VectorQuantity | Constant) -> str:
+    """LaTeX of a quantity: as its author wrote it, else made of its name; vectors are bold."""
+    latex = quantity.facts.latex
+    if latex != latex_name(quantity.name):
+        return latex
+    return _pretty(quantity.name, isinstance(quantity, VectorQuantity))
+
+
+def definition_latex(definition: Definition) -> str:
+    """LaTeX of a definition's name."""
+    if definition.latex != latex_name(definition.name):
+        return definition.latex
+    return _pretty(definition.name, isinstance(definition.value, v.Vector))
+
+
+def _pretty(name: str, bold: bool) -> str:
+    base, _, rest = name.partition("_")
+    if len(base) > 1 and base not in _GREEK:
+        return rf"\text{{{name.replace('_', ' ')}}}"
+    latex = upright(latex_name(name))
+    return _bold(latex) if bold else latex
+
+
+def _bold(latex: str) -> str:
+    found = re.match(r"(\\dot\{|\\ddot\{)?(\\[A-Za-z]+|[A-Za-z])", latex)
+    if found is None:
+        return latex
+    command = r"\boldsymbol" if found[2].startswith("\\") else r"\mathbf"
+    return f"{found[1] or ''}{command}{{{found[2]}}}{latex[found.end() :]}"
+
+
+def upright(latex: str) -> str:
+    """Whole words of a subscript are not products of letters: they stand upright."""
+    base, mark, rest = latex.partition("_")
+    return base + mark + _WORD.sub(lambda m: rf"\mathrm{{{m[0]}}}", rest)
+
+
+def subscripted(latex: str, more: str) -> str:
+    """A name with one more subscript."""
+    found = _SUBSCRIPT.match(latex)
+    if found is None or found["base"].count("{") != found["base"].count("}"):
+        return f"{latex}_{{{more}}}"
+    return f"{found['base']}_{{{found['group'] or found['one']},{more}}}"
+
+
+def references_in(expression: object) -> Iterator[Reference]:
+    """The definitions that an expression names, once each; what they stand on is not opened."""
+    seen: set[int] = set()
+    named: set[str] = set()
+    stack = [expression]
+    while stack:
+        node = stack.pop()
+        if id(node) in seen or isinstance(node, (str, int, sympy.Basic)):
+            continue
+        seen.add(id(node))
+        if isinstance(node, REFERENCES):
+            if node.identifier not in named:
+                named.add(node.identifier)
+                yield node
+        elif isinstance(node, tuple):
+            stack.extend(reversed(node))
+        elif isinstance(node, v.Choice):
+            stack.append(node.summed)
+        elif hasattr(node, "__dataclass_fields__") and not isinstance(
+            node, (s.Symbol, v.VectorSymbol)
+        ):
+            stack.extend(reversed([getattr(node, f.name) for f in fields(node)]))  # type: ignore[arg-type]

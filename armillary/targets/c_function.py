@@ -1,0 +1,206 @@
+"""The body of one C function: loads, guards, arithmetic, statuses, stores."""
+
+from __future__ import annotations
+
+import textwrap
+
+import sympy
+
+from armillary.derivation.quantity import AnyQuantity
+from armillary.derivation.status import Status
+from armillary.program.guards import UNIT_SQUARE_TOLERANCE, Guard
+from armillary.program.program import Program
+from armillary.targets.body import Body, Language, unused, write_body
+from armillary.targets.numbers import Precision, shortest
+
+WIDTH = 100
+
+
+class C(Language):
+    """C expressions in one precision, fully parenthesised."""
+
+    def __init__(self, precision: Precision) -> None:
+        self.precision = precision
+        self.type = "float" if precision.name == "f32" else "double"
+        self.suffix = "f" if precision.name == "f32" else ""
+        self.largest = "FLT_MAX" if precision.name == "f32" else "DBL_MAX"
+
+    def constant(self, value: sympy.Expr | float) -> str:
+        return shortest(value, self.precision) + self.suffix
+
+    def negate(self, a: str) -> str:
+        return f"-{a}"
+
+    def add(self, a: str, b: str) -> str:
+        return f"{a} + {b}"
+
+    def subtract(self, a: str, b: str) -> str:
+        return f"{a} - {b}"
+
+    def multiply(self, a: str, b: str) -> str:
+        return f"{a} * {b}"
+
+    def divide(self, a: str, b: str) -> str:
+        return f"{a} / {b}"
+
+    def sqrt(self, a: str) -> str:
+        return f"sqrt{self.suffix}({a})"
+
+    def sin(self, a: str) -> str:
+        return f"sin{self.suffix}({a})"
+
+    def cos(self, a: str) -> str:
+        return f"cos{self.suffix}({a})"
+
+    def atan2(self, a: str, b: str) -> str:
+        return f"atan2{self.suffix}({a}, {b})"
+
+    def absolute(self, a: str) -> str:
+        return f"fabs{self.suffix}({a})"
+
+    def less(self, a: str, b: str) -> str:
+        return f"{a} < {b}"
+
+    def both(self, a: str, b: str) -> str:
+        return f"{a} && {b}"
+
+    def invert(self, a: str) -> str:
+        return f"!{self.inside(a)}" if not a.startswith("(") else f"!{a}"
+
+    def select(self, condition: str, then: str, otherwise: str) -> str:
+        return f"{condition} ? {then} : {otherwise}"
+
+
+def function_body(program: Program, language: C) -> list[str]:
+    """The lines between a function's braces.
+
+    Inputs are read before anything is written, so that a call in place is legal.
+    """
+    kernel = program.kernel
+    quantities = (*kernel.inputs, *kernel.parameters)
+    taken = {q.name for q in quantities} | {o.name for o in kernel.outputs} | {"p", "status"}
+    taken |= {f"{q.name}_{axis}" for q in quantities if q.shape for axis in "xyz"}
+    tests = []
+    for guard in program.guards:
+        test = GuardTest(guard, language, taken)
+        taken.add(test.local)
+        tests.append(test)
+    lines = _loads(program, language)
+    lines += [line for t in tests for line in t.load()]
+    lines += ["int status = ARMILLARY_OK;"]
+    if kernel.parameters and not any(q.name in program.inputs_used() for q in kernel.parameters):
+        lines += ["(void)p;"]
+    lines = [f"  {line}" for line in lines]
+    body = write_body(program, language, frozenset(taken))
+    if not tests:
+        lines += [f"  {line}" for line in _computation(program, language, body)]
+        return [*lines, "  return status;"]
+    lines += ["", f"  if ({_joined([t.outside() for t in tests], 6)}) {{"]
+    lines += ["    status = ARMILLARY_NOT_FINITE;"]
+    lines += [f"    if ({_joined([t.finite_outside() for t in tests], 8)}) {{"]
+    lines += ["      status = ARMILLARY_OUT_OF_RANGE;", "    }", "  } else {"]
+    lines += [f"    {line}" for line in _computation(program, language, body)]
+    return [*lines, "  }", "  return status;"]
+
+
+def filled(text: str, first: str, rest: str, width: int = WIDTH - 2) -> list[str]:
+    """Text in lines of a width, broken at spaces only."""
+    return textwrap.wrap(
+        text,
+        width,
+        initial_indent=first,
+        subsequent_indent=rest,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+
+
+def _joined(terms: list[str], indent: int) -> str:
+    return f" ||\n{' ' * indent}".join(terms)
+
+
+def _loads(program: Program, language: C) -> list[str]:
+    kernel, used = program.kernel, program.inputs_used()
+    guarded = {g.name for g in program.guards}
+    lines = []
+    fields = [q for q in kernel.parameters if q.name in used]
+    for q in fields:
+        lines += _load(q, f"p->{q.name}", language)
+    for q in kernel.inputs:
+        if q.shape and (q.name in used or q.name in guarded):
+            lines += _load(q, q.name, language)
+    return lines
+
+
+def _load(quantity: AnyQuantity, place: str, language: C) -> list[str]:
+    if not quantity.shape:
+        return [f"const {language.type} {quantity.name} = {place};"]
+    return [
+        f"const {language.type} {quantity.name}_{axis} = {place}[{k}];"
+        for k, axis in enumerate("xyz")
+    ]
+
+
+def _computation(program: Program, language: C, body: Body) -> list[str]:
+    room = WIDTH - 6
+    lines = []
+    for s in body.statements:
+        kind = "int" if s.condition else language.type
+        note = f"/* {', '.join(dict.fromkeys(s.identifiers))} */" if s.identifiers else ""
+        line = f"const {kind} {s.name} = {s.expression};"
+        if len(line) + len(note) + 1 > room:
+            lines += [note] if note else []
+            lines += filled(line, "", "    ", room)
+        else:
+            lines.append(f"{line} {note}".rstrip())
+    order = sorted(body.cases, key=lambda case: (case[0] < 0, abs(case[0])))
+    for status, condition in order:
+        lines += [f"if ({condition}) {{", f"  status = ARMILLARY_{Status(status).name};", "}"]
+    stores = []
+    for result, entries in zip(program.results, body.results, strict=True):
+        for k, text in enumerate(entries):
+            place = f"{result.name}[{k}]" if result.shape else f"*{result.name}"
+            stores += filled(f"{place} = {text};", "", "    ", room)
+    if any(status < 0 for status, _ in body.cases):
+        return [*lines, "if (status >= 0) {", *(f"  {s}" for s in stores), "}"]
+    return [*lines, *stores]
+
+
+class GuardTest:
+    """The tests of one guard; that of a unit vector works on a local of its own."""
+
+    def __init__(self, guard: Guard, language: C, taken: set[str]) -> None:
+        self.guard, self.c = guard, language
+        if guard.norm:
+            self.local = unused(f"{guard.name}_excess", taken)
+        else:
+            self.local = guard.name if guard.index is None else f"{guard.name}_{'xyz'[guard.index]}"
+        self.magnitude = f"fabs{language.suffix}({self.local})"
+
+    def load(self) -> list[str]:
+        """What a unit vector's square has too much."""
+        if not self.guard.norm:
+            return []
+        square = " + ".join(f"({self.guard.name}_{a} * {self.guard.name}_{a})" for a in "xyz")
+        line = f"const {self.c.type} {self.local} = ({square}) - {self.c.constant(1.0)};"
+        return filled(line, "", "    ")
+
+    def _inside(self) -> str:
+        g, c = self.guard, self.c
+        if g.norm:
+            return f"{self.magnitude} <= {c.constant(UNIT_SQUARE_TOLERANCE)}"
+        if g.low == -g.high:
+            return f"{self.magnitude} <= {c.constant(g.high)}"
+        low = f"-{c.constant(-g.low)}" if g.low < 0 else c.constant(g.low)
+        high = f"-{c.constant(-g.high)}" if g.high < 0 else c.constant(g.high)
+        return f"({self.local} >= {low}) && ({self.local} <= {high})"
+
+    def outside(self) -> str:
+        """True for a NaN too."""
+        return f"!({self._inside()})"
+
+    def finite_outside(self) -> str:
+        """True for a number that is refused; an infinite square is its components' fault."""
+        finite = f"({self.magnitude} <= {self.c.largest})"
+        line = f"({finite} && !({self._inside()}))"
+        return line if len(line) + 12 <= WIDTH else f"({finite} &&\n         !({self._inside()}))"

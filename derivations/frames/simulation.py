@@ -1,0 +1,65 @@
+"""The frames once more: SciPy turns the axes, ERFA brings the angles into their turn."""
+
+import numpy as np
+
+from armillary.verify.engines import need
+from armillary.verify.measured import compare
+
+COUNT = 200
+
+
+def checks(kernels):
+    """Everything measured about the frames."""
+    rotation = need("scipy.spatial.transform").Rotation
+    v = np.random.default_rng(1).uniform(-10, 10, (COUNT, 3))
+    # The axes are listed as they stand in East-North-Up; a vector's components are its shadows.
+    south, east, west, up = (0, -1, 0), (1, 0, 0), (-1, 0, 0), (0, 0, 1)
+    for outward, back, name, axes in (
+        ("seu_from_enu", "enu_from_seu", "seu", (south, east, up)),
+        ("wsu_from_enu", "enu_from_wsu", "wsu", (west, south, up)),
+    ):
+        turn = rotation.from_matrix(np.array(axes, dtype=float))
+        found = getattr(getattr(kernels, outward)(v=v), name)
+        yield compare(outward, "SciPy", found, turn.apply(v), 1e-14, {"v": v}, outward)
+        found = getattr(kernels, back)(v=v).enu
+        yield compare(back, "SciPy", found, turn.inv().apply(v), 1e-14, {"v": v}, back)
+
+    erfa = need("erfa")
+    angle = np.concatenate(
+        [
+            np.random.default_rng(2).uniform(-20, 20, COUNT),
+            np.arange(-8, 9) * np.pi / 2,
+            np.nextafter([0.0, np.pi, -np.pi, 2 * np.pi], -10),
+        ]
+    )
+    south_west = kernels.azimuth_from_south_west(azimuth=angle).azimuth_south
+    yield compare(
+        "azimuth from south",
+        "ERFA",
+        south_west,
+        erfa.anpm(angle - np.pi),
+        1e-14,
+        {"azimuth": angle},
+        "azimuth_from_south_west",
+        turn=True,
+    )
+    north_east = kernels.azimuth_from_north_east(azimuth_south=angle).azimuth
+    yield compare(
+        "azimuth from north",
+        "ERFA",
+        north_east,
+        erfa.anp(angle + np.pi),
+        1e-14,
+        {"azimuth_south": angle},
+        "azimuth_from_north_east",
+        turn=True,
+    )
+    yield compare(
+        "azimuth from north lies in [0, 2 pi)",
+        "bounds",
+        (north_east < 0) | (north_east >= 2 * np.pi),
+        np.zeros(len(angle)),
+        0.0,
+        {"azimuth_south": angle},
+        "azimuth_from_north_east",
+    )
