@@ -16,11 +16,12 @@ import click
 from armillary import __version__
 from armillary.derivation.errors import DerivationError
 from armillary.project.errors import ProjectError
+from armillary.site.errors import SiteError
 
 if TYPE_CHECKING:
     from armillary.project.config import Project
 
-_KNOWN = (DerivationError, ProjectError)
+_KNOWN = (DerivationError, ProjectError, SiteError)
 
 
 class _Group(click.Group):
@@ -218,17 +219,18 @@ def site_build(out: Path | None, strict: bool) -> None:
     """
     from armillary.site.build import build_site
 
-    project = _project()
-    build_site(project.root, out, strict)
-    _say(f"built {(out or project.root / 'site') / 'index.html'}")
+    _say(f"built {build_site(_project().root, out, strict) / 'index.html'}")
 
 
 @site.command("serve")
-def site_serve() -> None:
+@click.option(
+    "--address", default="127.0.0.1:8000", show_default=True, help="Host and port to listen at."
+)
+def site_serve(address: str) -> None:
     """Serve the site on this machine and rebuild it on every edit."""
     from armillary.site.build import serve
 
-    serve(_project().root)
+    serve(_project().root, address)
 
 
 if __name__ == "__main__":

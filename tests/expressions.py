@@ -1,4 +1,4 @@
-"""Random expressions for property tests, regular everywhere: no division by zero, no root of one."""
+"""Random expressions for property tests, regular everywhere: nothing divides by zero."""
 
 from hypothesis import strategies as st
 

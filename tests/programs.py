@@ -7,6 +7,8 @@ from armillary.program.evaluate import evaluate
 from armillary.program.lower import Strategy, lower
 from armillary.program.scalarise import scalarise
 
+PLAIN = Strategy()
+
 
 def kernel_of(record: Derivation, inputs, outputs, name="k") -> Kernel:
     """A kernel of a record that other tests share: it is not kept there."""
@@ -15,7 +17,7 @@ def kernel_of(record: Derivation, inputs, outputs, name="k") -> Kernel:
     return record.kernels.pop(name)
 
 
-def program_of(record, inputs, outputs, strategy=Strategy()):
+def program_of(record, inputs, outputs, strategy=PLAIN):
     """The structured program of some outputs, before any pass."""
     return lower(kernel_of(record, inputs, outputs), strategy)
 

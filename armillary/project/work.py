@@ -16,6 +16,7 @@ from armillary.derivation.statements import Kernel
 from armillary.program.cost import Cost
 from armillary.program.lower import Strategy
 from armillary.project.config import Project
+from armillary.project.errors import ProjectError
 from armillary.project.manifest import (
     MANIFEST,
     Entry,
@@ -78,11 +79,29 @@ def known_system(project: Project, name: str, entry: Entry, table: str) -> Rende
 def make_shared(
     project: Project, rendered: Mapping[str, Rendered], entries: Mapping[str, Entry]
 ) -> tuple[dict[str, str], Manifest]:
-    """The files common to all systems, and the manifest of the whole set."""
+    """The files common to all systems, and the manifest of the whole set.
+
+    Raises:
+        ProjectError: when two systems want a file of one name.
+    """
     ordered = {name: rendered[name] for name in sorted(rendered)}
     shared = dict(render_shared(_target(project), ordered))
+    _check_names({"what all systems share": shared, **{n: r.files for n, r in ordered.items()}})
     manifest = Manifest(engine_versions(), dict(entries), entry_of(shared, {}))
     return shared, manifest
+
+
+def _check_names(owners: Mapping[str, Mapping[str, str]]) -> None:
+    """Refuse two files of one name, also where case does not count."""
+    owned: dict[str, str] = {}
+    for owner, files in owners.items():
+        for name in files:
+            other = owned.setdefault(name.lower(), owner)
+            if other != owner:
+                raise ProjectError(
+                    f"{owner} and {other} both make generated/{name}",
+                    f"rename the system {owner}, or its kernel",
+                )
 
 
 def make_everything(project: Project, listener: Listener) -> tuple[dict[str, str], Manifest]:

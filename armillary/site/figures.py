@@ -180,6 +180,8 @@ def _arc(
 def _beside(posed: Posed, origin: Array, arm: Array) -> Point2:
     """A place for a label a little beyond the end of an arm."""
     a, b = posed.paper(origin), posed.paper(origin + arm)
+    if abs(b[0] - a[0]) < 1.0:  # upright: beside it, for a column may go on beyond its end
+        return b[0] + 14, b[1] + 8
     length = max(((b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2) ** 0.5, 1e-6)
     return b[0] + 15 * (b[0] - a[0]) / length, b[1] + 15 * (b[1] - a[1]) / length + 5
 

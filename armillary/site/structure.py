@@ -192,6 +192,9 @@ class Structure:
     def _(self, node: v.Components) -> Text:
         if v.is_null(node):
             return r"\mathbf{0}", Level.ATOM
+        ones = [k for k, c in enumerate(node.components) if s.is_one(c)]
+        if len(ones) == 1 and sum(map(s.is_zero, node.components)) == 2:
+            return self.text(v.Basis(ones[0]))
         return array("bmatrix", [[self(c)] for c in node.components]), Level.ATOM
 
     @text.register

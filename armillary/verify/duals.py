@@ -25,7 +25,7 @@ from armillary.program.evaluate import Answer, guard_status
 from armillary.program.program import Program
 from armillary.verify import exact
 from armillary.verify.exact import directional_derivative
-from armillary.verify.measured import Measured, Point
+from armillary.verify.measured import Measured, Point, exceeds
 from armillary.verify.points import awkward_points, joined, quantities, random_points, rows_of
 
 __all__ = ["checks", "directional_derivative", "pairs"]
@@ -213,7 +213,7 @@ def _measure(pair: Pair, programs: Programs) -> Measured:
         with mpmath.workdps(DIGITS + 10):
             error = exact.worst(exact.flat(found), pair.wanted(base, row))
         tried += 1
-        if not error <= bad:
+        if exceeds(error, bad):
             bad, at = error, row
     worst = bad if tried else float("nan")
     why = "" if tried else "no point of the range is regular"

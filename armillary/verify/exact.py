@@ -104,8 +104,17 @@ def flat(value: Any) -> list[Any]:
 
 
 def worst(found: Sequence[Any], wanted: Sequence[Any]) -> float:
-    """Largest difference, relative to the largest entry of `wanted` where that is above 1."""
+    """Largest difference, relative to the largest entry of `wanted` where that is above 1.
+
+    NaN where any entry is.
+    """
     with mpmath.workdps(DIGITS + 10):
-        scale = max([mpmath.mpf(1), *(abs(mpmath.mpf(w)) for w in wanted)])
+        scale = largest([1, *wanted])
         pairs = zip(found, wanted, strict=True)
-        return float(max(abs(mpmath.mpf(f) - mpmath.mpf(w)) for f, w in pairs) / scale)
+        return float(largest([mpmath.mpf(f) - mpmath.mpf(w) for f, w in pairs]) / scale)
+
+
+def largest(values: Sequence[Any]) -> Any:
+    """The largest magnitude; NaN where any value is."""
+    found = [abs(mpmath.mpf(v)) for v in values]
+    return next((v for v in found if mpmath.isnan(v)), max(found, default=mpmath.mpf(0)))

@@ -19,7 +19,7 @@ from armillary.derivation.symbols import leaves
 from armillary.program.arithmetic import Reals
 from armillary.program.program import Program
 from armillary.verify import exact
-from armillary.verify.measured import Measured, Point
+from armillary.verify.measured import Measured, Point, exceeds
 from armillary.verify.points import random_points, rows_of
 
 AGREEMENT = 1e-40
@@ -68,7 +68,7 @@ def text_book_expression(kernel: Kernel, program: Program) -> Iterator[Measured]
             if answer.status >= 0:
                 tried += 1
                 error = exact.worst(exact.flat(answer.results[output.name]), book(row))
-                if error >= bad:
+                if exceeds(error, bad):
                     bad, at = error, dict(row)
         yield Measured(
             f"{output.name}: the program equals the text-book expression",
@@ -109,8 +109,8 @@ def _at_points(function: exact.Function) -> tuple[float, Point]:
     bad = 0.0
     at: Point = {}
     for row in rows_of(random_points(function.quantities, POINTS, seed=4)):
-        error = float(max((abs(value) for value in function(row)), default=0))
-        if not error <= bad:
+        error = float(exact.largest(function(row)))
+        if exceeds(error, bad):
             bad, at = error, dict(row)
     return bad, at
 

@@ -7,7 +7,8 @@ import os
 import shutil
 import sys
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
@@ -48,13 +49,27 @@ def generated_module(folder: Path, package: str, system: str) -> ModuleType:
     Raises:
         ModuleNotFoundError: if it was not generated yet.
     """
-    _forget_foreign(folder, package)
+    with _importing(folder):
+        return importlib.import_module(f"{package}.{system}")
+
+
+def forget(package: str) -> None:
+    """Drop a generated package that was imported before, from elsewhere or from older files."""
+    for name in [n for n in sys.modules if n == package or n.startswith(f"{package}.")]:
+        del sys.modules[name]
+
+
+@contextmanager
+def _importing(folder: Path) -> Iterator[None]:
+    """Import from `folder` first, and leave no bytecode there: it holds generated files only."""
+    keep, sys.dont_write_bytecode = sys.dont_write_bytecode, True
     sys.path.insert(0, str(folder))
     try:
         importlib.invalidate_caches()
-        return importlib.import_module(f"{package}.{system}")
+        yield
     finally:
         sys.path.remove(str(folder))
+        sys.dont_write_bytecode = keep
 
 
 def python_implementations(module: ModuleType) -> list[tuple[str, Callable[[], Implementation]]]:
@@ -95,14 +110,6 @@ def _from_numpy(library: Any) -> Callable[[NDArray[Any]], Any]:
     return lambda a: library.asarray(a)
 
 
-def _forget_foreign(folder: Path, package: str) -> None:
-    """Drop a package of the same name that was imported from elsewhere, or from older files."""
-    for name in [n for n in sys.modules if n == package or n.startswith(f"{package}.")]:
-        path = getattr(sys.modules[name], "__file__", None)
-        if path is None or folder.resolve() not in Path(path).resolve().parents:
-            del sys.modules[name]
-
-
 def native_implementations(
     folder: Path, package: str, system: str
 ) -> list[tuple[str, Callable[[], Implementation]]]:
@@ -113,17 +120,18 @@ def native_implementations(
     native = generated_module(folder, package, "native")
 
     def maker(name: str, dtype: Any) -> Callable[[], Implementation]:
-        return lambda: _native(native, system, name, dtype)
+        return lambda: _native(folder, native, system, name, dtype)
 
     dtypes = {"f64": np.float64, "f32": np.float32}
     found = [p for p in dtypes if p in native.PRECISIONS]
     return [(f"c {p}", maker(f"c {p}", dtypes[p])) for p in found]
 
 
-def _native(native: ModuleType, system: str, name: str, dtype: Any) -> Implementation:
+def _native(folder: Path, native: ModuleType, system: str, name: str, dtype: Any) -> Implementation:
     if not any(shutil.which(c) for c in (os.environ.get("CC", "cc").split()[0], "gcc", "clang")):
         raise EngineMissing("a C compiler", "install gcc or clang, or set CC")
-    module = getattr(native, system)
+    with _importing(folder):
+        module = getattr(native, system)
 
     def call(kernel: str, inputs: Inputs) -> Results:
         answer = getattr(module, kernel)(**inputs)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -39,6 +40,11 @@ class Measured:
     def passed(self) -> bool:
         """Whether the worst difference is allowed; a NaN is not."""
         return bool(self.worst <= self.tolerance)
+
+
+def exceeds(error: float, worst: float) -> bool:
+    """Whether an error is worse than the worst so far; nothing is worse than NaN."""
+    return not math.isnan(worst) and not error <= worst
 
 
 @dataclass(frozen=True)

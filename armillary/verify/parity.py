@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -12,7 +13,7 @@ from armillary.program.arithmetic import Reals
 from armillary.program.program import Program
 from armillary.verify.expected import Expected, expect
 from armillary.verify.implementations import Implementation, Inputs, Results
-from armillary.verify.measured import Measured, Point
+from armillary.verify.measured import Measured, Point, exceeds
 from armillary.verify.points import awkward_points, illegal_points, joined, random_points, rows_of
 
 POINTS = 60
@@ -94,9 +95,9 @@ def _values(
         compared += 1
         for name, entry in answer.entries.items():
             error = entry.error(np.ravel(_at(found[name], k)).astype(float).tolist())
-            if not error <= worst:
+            if exceeds(error, worst):
                 worst, at = error, row
-        if not worst <= 1e300:
+        if math.isnan(worst):
             why = "a result is not finite"
             break
     return Measured(

@@ -22,6 +22,7 @@ from armillary.verify import duals, identities, parity, tolerances
 from armillary.verify.engines import EngineMissing
 from armillary.verify.implementations import (
     Implementation,
+    forget,
     generated_module,
     native_implementations,
     python_implementations,
@@ -80,6 +81,7 @@ def run(
     Raises:
         DerivationError: if a derivation cannot be read.
     """
+    forget(package)
     records = load_all(root / "derivations")
     for system in systems if systems is not None else names(root / "derivations"):
         for measured in _of_system(root, package, records[system], points):
@@ -115,6 +117,7 @@ def update_tolerances(
     A target that is not available here keeps its old tolerance; one whose statuses are wrong, or
     that returns no number, gets none.
     """
+    forget(package)
     records = load_all(root / "derivations")
     for system in systems if systems is not None else names(root / "derivations"):
         folder = root / "derivations" / system

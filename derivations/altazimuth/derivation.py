@@ -191,3 +191,13 @@ d.kernel(
     cases=[(Status.SINGULAR, at_zenith, "the sun is at the zenith: the azimuth is free")],
     summary="Drive angles that put the collector's third axis on the sun.",
 )
+
+d.assume("Column, turntable, cradle and collector are rigid, and the joints turn without play.")
+d.assume("The azimuth axis is vertical, the tilt axis horizontal, and the two meet.")
+d.picture(
+    chain,
+    at={"gamma": 1.35, "upsilon": 0.9, "L_0": 1.2, "L_1": 0.5, "L_2": 0.5},
+    sun=Z,
+    caption="The mount at an azimuth of 77 degrees, tilted 52 degrees from the zenith. "
+    "Both angles turn clockwise; the collector's z axis is put on the sun.",
+)

@@ -195,3 +195,12 @@ d.kernel(
     summary="Drive angles that put the collector's second axis on the sun, on the branch "
     "cos(epsilon) >= 0.",
 )
+
+d.assume("Column, posts and collector are rigid, and the joints turn without play.")
+d.picture(
+    chain,
+    at={"incl": -0.45, "epsilon": 0.7, "L_0": 1.0, "L_1": 0.6, "L_2": 0.5},
+    sun=Y,
+    caption="The mount leaning south and rolled by 40 degrees: a tilt carries a roll, and the "
+    "collector's y axis is put on the sun.",
+)

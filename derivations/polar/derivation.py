@@ -252,3 +252,13 @@ d.kernel(
     summary="Fixed tilt and drive angles of a mount at a latitude, straight from the sun's own "
     "angles.",
 )
+
+d.assume("Column, posts and collector are rigid, and the joints turn without play.")
+d.assume("The fixed tilt lays the hour axis along the earth's axis, in the meridian.")
+d.picture(
+    chain,
+    at={"incl": 0.75, "epsilon": 3.9, "D": -0.3, "L_0": 1.0, "L_1": 0.6, "L_2": 0.5},
+    sun=Y,
+    caption="The mount at 47 degrees north on a summer afternoon. The hour axis points to the "
+    "celestial pole; the collector's y axis is on the sun.",
+)

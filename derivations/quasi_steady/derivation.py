@@ -147,3 +147,12 @@ d.kernel(
     outputs={"incl": incl_aim},
     summary="Tilt that puts the collector's third axis on the sun at apparent noon.",
 )
+
+d.assume("Column, post and collector are rigid, and the joint turns without play.")
+d.picture(
+    chain,
+    at={"incl": -0.5, "L_0": 1.0, "L_1": 0.6, "L_2": 0.5},
+    sun=Z,
+    caption="The collector leans south, to the noon sun of a northern site. A positive angle "
+    "would lean it north.",
+)

@@ -66,3 +66,10 @@ d.kernel(
     outputs=[incidence],
     summary="Angle between the sun and the collector's normal.",
 )
+
+d.assume("The collector is fixed: nothing of it moves.")
+d.picture(
+    chain,
+    at={"tilt": -0.6, "L_0": 1.0, "L_1": 0.6, "L_2": 0.5},
+    caption="The fixed collector, leaning south.",
+)

@@ -9,6 +9,7 @@ from armillary import (
     Status,
     X,
     Y,
+    Z,
     atan2,
     cos,
     degrees,
@@ -298,7 +299,8 @@ equation_of_time_spencer = d.define(
     * solar_day
     / (2 * PI),
     because="The first harmonic is the eccentricity of the orbit, the second its inclination; "
-    "one turn of the series is one day.",
+    "one turn of the series is one day. A later erratum takes a tenth of the constant term, 0.9 s "
+    "less; over 2020-2050 the constant as printed errs less, so it is kept.",
     meaning="equation of time by Spencer's series",
     unit=SECOND,
     latex=r"E_\mathrm{S}",
@@ -536,4 +538,14 @@ d.kernel(
     inputs=[elevation, pressure, temperature],
     outputs=[elevation_apparent],
     summary="Elevation as seen through the air.",
+)
+
+d.assume("The earth turns about a fixed axis, and the sun is so far that its rays are parallel.")
+d.assume("Directions are geometric: only the kernel refraction bends the rays.")
+d.picture(
+    sky(hour_angle),
+    at={"latitude": 0.7, "hour_angle": 0.8, "declination": 0.35},
+    sun=Z,
+    caption="The sun in the sky of 40 degrees north, on a summer afternoon. The circle is its way "
+    "in the course of a day about the celestial pole.",
 )

@@ -4,14 +4,24 @@ import pytest
 import sympy
 from hypothesis import given
 
-from armillary import absolute, atan2, cos, direction_angles, sin, sqrt, time_derivative, unit, where
+from armillary import (
+    absolute,
+    atan2,
+    cos,
+    direction_angles,
+    sin,
+    sqrt,
+    time_derivative,
+    unit,
+    where,
+)
 from armillary.algebra.derivative import partial, vector_time_derivative
 from armillary.algebra.explicit import Explicit, symbol, vector_symbol
 from armillary.algebra.rotation import elementary
 from armillary.algebra.vector import choice, vector
 from armillary.program.arithmetic import Reals
-from armillary.verify.exact import directional_derivative, numbers
 from armillary.program.evaluate import evaluate
+from armillary.verify.exact import directional_derivative, numbers
 from tests.expressions import INPUTS, SCALARS, VECTORS, c, record, x, y
 from tests.programs import opened
 
@@ -67,9 +77,7 @@ _NUMBERS = {
 def by_sympy(expression):
     """Time derivative by SymPy of the explicit form, as floats."""
     form = sympy.Matrix([Explicit()(expression)])
-    rate = sum(
-        (form.diff(q) * q_dot for q, q_dot in _TIMES.items()), sympy.zeros(*form.shape)
-    )
+    rate = sum((form.diff(q) * q_dot for q, q_dot in _TIMES.items()), sympy.zeros(*form.shape))
     return [float(e) for e in rate.subs(_NUMBERS).evalf(30)]
 
 

@@ -4,7 +4,17 @@ import pytest
 
 from armillary import Derivation, Twist, Wrench, sqrt, vector
 from armillary.derivation.units import (
-    KILOGRAM, METRE, NEWTON, NEWTON_METRE, ONE, RADIAN, SECOND, WATT, UnitError, UnitOf, check_block,
+    KILOGRAM,
+    METRE,
+    NEWTON,
+    NEWTON_METRE,
+    ONE,
+    RADIAN,
+    SECOND,
+    WATT,
+    UnitError,
+    UnitOf,
+    check_block,
 )  # fmt: skip
 
 d = Derivation("units", title="Units")

@@ -1,3 +1,4 @@
+# ruff: noqa: E501
 """Every wrong use names the file, the line and the mend."""
 
 import re
@@ -85,7 +86,7 @@ def test_a_ring_of_use(project):
         'derivation = d = Derivation("{0}", title="x")\nd.use("{1}")\n'
     )
     root = project(a=text.format("a", "b"), b=text.format("b", "a"))
-    with pytest.raises(DerivationError, match="use each other in a ring: .*a -> b -> a"):
+    with pytest.raises(DerivationError, match=r"use each other in a ring: .*a -> b -> a"):
         load(root / "derivations" / "a" / "derivation.py")
 
 
@@ -123,5 +124,7 @@ def test_a_misspelt_definition_is_told_with_the_known_ones(project):
         'd.use("demo")["rr"]\n'
     )
     root = project(demo=HEAD, user=user)
-    with pytest.raises(DerivationError, match=r"derivation.py:3: demo defines no rr\n.*it defines r"):
+    with pytest.raises(
+        DerivationError, match=r"derivation.py:3: demo defines no rr\n.*it defines r"
+    ):
         load(root / "derivations" / "user" / "derivation.py")

@@ -54,7 +54,11 @@ def test_every_strategy_gives_the_same_values(joints):
     d, chain, variables = chain_of(joints)
     rates = [q.rate() for q in variables]
     tip = f"f{len(joints) - 1}"
-    outputs = {"J": chain.jacobian(tip, variables), "v": chain.velocity(tip), "w": chain.angular_velocity(tip)}  # fmt: skip
+    outputs = {
+        "J": chain.jacobian(tip, variables),
+        "v": chain.velocity(tip),
+        "w": chain.angular_velocity(tip),
+    }
     point = {v.name: float(x) for v, x in zip(variables, PLACES[0], strict=False)}
     point |= {r.name: float(x) for r, x in zip(rates, SPEEDS, strict=False)}
     plain = program_of(d, [*variables, *rates], outputs)
@@ -74,7 +78,7 @@ def example():
     chain = (
         Chain("ground")
         .rotate(Z, -qa, frame="column")
-        .translate(X, length)
+        .translate(X, length, frame="arm")
         .rotate(Y, 2 * qb, frame="fork")
         .translate(Z, 3, frame="tip")
     )
@@ -90,9 +94,8 @@ FRAMES = {
     "ground": sympy.eye(4),
     "column": homogeneous(elementary_matrix(2, -a)),
 }
-FRAMES["fork"] = (
-    FRAMES["column"] * homogeneous(sympy.eye(3), (L, 0, 0)) * homogeneous(elementary_matrix(1, 2 * b))
-)  # fmt: skip
+FRAMES["arm"] = FRAMES["column"] * homogeneous(sympy.eye(3), (L, 0, 0))
+FRAMES["fork"] = FRAMES["arm"] * homogeneous(elementary_matrix(1, 2 * b))
 FRAMES["tip"] = FRAMES["fork"] * homogeneous(sympy.eye(3), (0, 0, 3))
 
 
@@ -107,7 +110,7 @@ def test_pose_between_any_two_frames(outer, inner):
 
 
 def test_velocities_are_derivatives_of_the_pose():
-    d, chain, (qa, qb) = example()
+    _, chain, (qa, qb) = example()
     a_dot, b_dot = symbol("a_dot"), symbol("b_dot")
     assert (qa.rate().name, qb.rate().name) == ("a_dot", "b_dot")
     pose = FRAMES["tip"]
@@ -124,7 +127,7 @@ def test_velocities_are_derivatives_of_the_pose():
 
 
 def test_velocity_of_a_point_of_a_frame():
-    d, chain, (qa, qb) = example()
+    _, chain, (qa, qb) = example()
     qa.rate(), qb.rate()
     point = vector(1, 2, 3)
     pose = FRAMES["tip"]

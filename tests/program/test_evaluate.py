@@ -38,7 +38,9 @@ def test_reals_and_floats(name):
     expression, wanted = FUNCTIONS[name]
     program = opened(record, INPUTS, {"r": expression})
     assert evaluate(program, POINT, Floats()).results["r"] == pytest.approx(wanted, rel=1e-15)
-    assert float(exact.run(program, POINT, Reals()).results["r"]) == pytest.approx(wanted, rel=1e-15)
+    assert float(exact.run(program, POINT, Reals()).results["r"]) == pytest.approx(
+        wanted, rel=1e-15
+    )
 
 
 def test_fifty_digits_and_no_global_precision():

@@ -15,7 +15,7 @@ for name, record in load_all(Path(sys.argv[1])).items():
     for kernel in record.kernels.values():
         print(name, kernel.name, compile_kernel(kernel).program.digest())
 """
-DEMO = '''
+DEMO = """
 from armillary import *
 from armillary import Chain, Derivation, X, Y, Z, cos, direction_angles, sin, unit
 
@@ -30,7 +30,7 @@ az, el = direction_angles(unit(n + chain.rotation("g", "tip").column(2)))
 azimuth = d.define("azimuth", az + cos(3 * a) + cos(2 * a) + sin(a), because="a mixture")
 d.kernel("pose", inputs=[a, b], outputs=[M, J])
 d.kernel("aim", inputs=[a, b, n], outputs={"azimuth": azimuth, "el": el})
-'''
+"""
 
 
 def digests(root, seed, **more):

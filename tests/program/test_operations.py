@@ -3,7 +3,19 @@
 import sympy
 
 from armillary import (
-    Chain, Derivation, X, Y, Z, atan2, cos, direction_angles, hypot, partial, sin, unit, vector,
+    Chain,
+    Derivation,
+    X,
+    Y,
+    Z,
+    atan2,
+    cos,
+    direction_angles,
+    hypot,
+    partial,
+    sin,
+    unit,
+    vector,
 )  # fmt: skip
 from armillary.algebra.explicit import elementary_matrix, symbol
 from armillary.program.compile import compile_kernel

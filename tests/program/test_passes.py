@@ -2,7 +2,7 @@
 
 import pytest
 import sympy
-from hypothesis import given
+from hypothesis import given, settings
 
 from armillary import cos, sin, sqrt
 from armillary.program.arithmetic import Reals
@@ -55,6 +55,7 @@ def test_scalarise_and_passes_on_random_vectors(expression):
     assert not any(i.op in STRUCTURED_OPS for i in program.instructions)
 
 
+@settings(max_examples=12)
 @given(VECTORS)
 def test_strategies_agree(expression):
     plain = program_of(record, INPUTS, {"r": expression})

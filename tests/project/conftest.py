@@ -20,7 +20,12 @@ def run() -> Run:
     def call(folder: Path, *words: str, **more: str) -> "subprocess.CompletedProcess[str]":
         command = [sys.executable, "-m", "armillary.cli", *words]
         return subprocess.run(
-            command, cwd=folder, env=environment(**more), capture_output=True, text=True, check=False
+            command,
+            cwd=folder,
+            env=environment(**more),
+            capture_output=True,
+            text=True,
+            check=False,
         )
 
     return call

@@ -7,11 +7,13 @@ and again. A child process regenerates it and dies at the n-th call; what a read
 what the next run makes of it, must be as promised. Prints how many deaths were survived.
 """
 
+import itertools
 import os
 import shutil
 import signal
 import sys
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from armillary.project import stamp, work
@@ -145,22 +147,21 @@ class Trial:
         seen = []
         while True:
             self.prepare()
-            if in_child(lambda: self.run(len(seen) + 1)):
+            if in_child(partial(self.run, len(seen) + 1)):
                 return seen
             seen.append(self.look())
             self.recover()
 
     def survive_twice(self, first: int) -> int:
         """Die at one call, then at every call of the run that recovers."""
-        count = 0
-        while True:
+        for second in itertools.count(1):
             self.prepare()
-            assert not in_child(lambda: self.run(first))
-            if in_child(lambda: self.run(count + 1)):
-                return count
+            assert not in_child(partial(self.run, first))
+            if in_child(partial(self.run, second)):
+                break
             self.look()
             self.recover()
-            count += 1
+        return second - 1
 
 
 def main() -> None:

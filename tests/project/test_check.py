@@ -1,11 +1,14 @@
 """`generate --check` finds every difference, shows it, and writes nothing."""
 
+import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 
 from armillary.project.config import Project
 from armillary.project.difference import differences
+from armillary.store.lock import locked
 from tests.project.conftest import Run
 from tests.project.projects import edit, regenerate, times
 
@@ -75,7 +78,7 @@ def test_neither_manifest_nor_stamp_is_trusted(made: Project):
 def test_named_systems_are_compared_alone(made: Project):
     edit(made.root, "base", "2 * cos", "3 * cos")
     assert compared(made, "alone")[0] == 0
-    assert compared(made, "user")[0] == 2
+    assert compared(made, "user")[0] == 3
 
 
 def test_an_interrupted_run_is_named(made: Project):
@@ -92,6 +95,17 @@ def test_without_anything_generated_all_is_missing_and_nothing_is_made(small: Pr
     assert wrong > 10
     assert not small.generated.exists()
     assert "missing: generated/manifest.json" in said
+
+
+def test_it_waits_for_a_run_at_work(made: Project, run: Run):
+    said: list[str] = []
+    with ThreadPoolExecutor() as pool:
+        with locked(made.generated / ".lock", lambda: None):
+            other = pool.submit(differences, made, (), said.append)
+            while not said:
+                time.sleep(0.01)
+        assert other.result() == 0
+    assert said[0] == "waiting for another run to finish"
 
 
 def test_the_command_fails_with_the_diff(made: Project, run: Run):

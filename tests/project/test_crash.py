@@ -13,6 +13,7 @@ from tests.project.projects import ALONE, HOME, edit, environment, regenerate, w
 DRIVER = Path(__file__).with_name("crash_driver.py")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("begun", [True, False], ids=["over an old set", "into nothing"])
 def test_every_death_is_survived(small: Project, tmp_path_factory: pytest.TempPathFactory, begun):
     after = tmp_path_factory.mktemp("after")

@@ -46,11 +46,14 @@ def test_nothing_to_do_is_quick_and_needs_no_sympy(small: Project):
         "import sys; from armillary.cli import main; main(['generate'], standalone_mode=False);"
         "assert 'sympy' not in sys.modules and 'numpy' not in sys.modules"
     )
-    start = time.perf_counter()
-    subprocess.run(
-        [sys.executable, "-c", program], cwd=small.root, env=environment(), check=True
-    )
-    assert time.perf_counter() - start < 0.5
+    taken = []
+    for _ in range(5):
+        start = time.perf_counter()
+        subprocess.run(
+            [sys.executable, "-c", program], cwd=small.root, env=environment(), check=True
+        )
+        taken.append(time.perf_counter() - start)
+    assert min(taken) < 0.5
 
 
 def test_an_edit_touches_its_system_and_its_users_only(small: Project):
@@ -151,7 +154,7 @@ def test_an_error_writes_nothing(small: Project):
     before = times(small.generated)
     edit(small.root, "alone", "3 * x", "3 * z")
     edit(small.root, "base", "2 * cos", "3 * cos")
-    with pytest.raises(DerivationError, match="derivation.py:5"):
+    with pytest.raises(DerivationError, match=r"derivation\.py:5"):
         regenerate(small)
     assert times(small.generated) == before
 
@@ -159,6 +162,19 @@ def test_an_error_writes_nothing(small: Project):
 def test_an_unknown_system_is_refused_with_a_choice(small: Project):
     with pytest.raises(ProjectError, match="alone, base, user"):
         regenerate(small, "nobody")
+
+
+@pytest.mark.parametrize("name", ["native", "base_one"])
+def test_two_files_of_one_name_are_refused(small: Project, name: str):
+    write_system(small.root, "base_one", ALONE.replace('"alone"', '"base_one"'))
+    edit(small.root, "base_one", '"thrice", inputs', '"more", inputs')
+    edit(small.root, "base", 'd.kernel("one"', 'd.kernel("one_more"')
+    if name == "native":
+        shutil.rmtree(small.derivations / "base_one")
+        write_system(small.root, "native", ALONE.replace('"alone"', '"native"'))
+    with pytest.raises(ProjectError, match=f"{name} and .* both make generated/"):
+        regenerate(small)
+    assert not (small.generated / "manifest.json").exists()
 
 
 def test_the_manifest_holds_only_what_comes_out_the_same(small: Project):

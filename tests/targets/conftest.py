@@ -68,6 +68,14 @@ def print_all(folder: Path, target: Target, records: dict[str, Derivation]) -> P
     return Printed(folder, target, records, compiled)
 
 
+@pytest.fixture(scope="session", autouse=True)
+def _own_cache(tmp_path_factory: pytest.TempPathFactory):
+    """Compiled kernels stay out of the user's cache."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
+        yield
+
+
 @pytest.fixture(scope="session")
 def printed(tmp_path_factory: pytest.TempPathFactory) -> Printed:
     records = {**load_all(DERIVATIONS), **{name: make() for name, make in SYSTEMS.items()}}

@@ -63,11 +63,12 @@ def answers() -> Derivation:
     d = Derivation("answers", title="Statuses")
     x = d.scalar("x", "a number", limits=(-4.0, 4.0), range=(-1.5, 1.5))
     y = d.scalar("y", "a number", limits=(-4.0, 4.0), range=(-1.5, 1.5))
-    inside = d.define("inside", x * x + y * y < 1, because=BECAUSE, meaning="in the circle")
+    rest = d.define("rest", 1 - x * x - y * y, because=BECAUSE)
+    inside = d.define("inside", rest > 0, because=BECAUSE, meaning="in the circle")
     far = d.define("far", x > 1, because=BECAUSE)
     farther = d.define("farther", y > 1, because=BECAUSE)
     at_origin = d.define("at_origin", hypot(x, y) < "0.001", because=BECAUSE)
-    root = d.define("root", sqrt(where(inside, 1 - x * x - y * y, 0)), because=BECAUSE)
+    root = d.define("root", sqrt(where(inside, rest, 0)), because=BECAUSE)
     azimuth = d.define(
         "azimuth", atan2(where(at_origin, 0, x), where(at_origin, 1, y)), because=BECAUSE
     )
@@ -101,16 +102,20 @@ def names() -> Derivation:
     Call = d.define("Call", v_y * v_y + t1, because=BECAUSE)
     hypotenuse = d.define("hypot", sqrt(Call * Call + 1), because=BECAUSE)
     tanh = d.define("tanh", hypotenuse * sin(turn * t1), because=BECAUSE)
-    NamesResult = d.define("AllResult", tanh / hypotenuse + tanh, because=BECAUSE)
+    all_result = d.define("AllResult", tanh / hypotenuse + tanh, because=BECAUSE)
     chain = Chain("ground")
     for k in range(4):
         chain = chain.rotate((X, Y, Z)[k % 3], long + k * turn).translate(Z, step)
-    longer = d.define(f"{LONG}_as_a_vector", chain.translate(Y, step, frame="tip").pose("ground", "tip").position, because=BECAUSE)
+    longer = d.define(
+        f"{LONG}_as_a_vector",
+        chain.translate(Y, step, frame="tip").pose("ground", "tip").position,
+        because=BECAUSE,
+    )
     d.kernel(
         "all",
         inputs=[t1, turn, long, v],
         outputs={
-            "out": S_x + v_y * Call + NamesResult,
+            "out": S_x + v_y * Call + all_result,
             f"{LONG}_again": longer,
             f"{LONG}_squared": (long + turn) * (long - turn) * cos(long + turn) * S.y * S.z * tanh,
         },

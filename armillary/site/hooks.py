@@ -1,0 +1,68 @@
+"""What MkDocs calls while it builds an Armillary site; `build.py` names this file to it.
+
+MkDocs reads the project's own mkdocs.yml. These events add what only the derivations know: the
+pages of the systems before the build, their place in the navigation, the marks in hand-written
+pages, and the search index as a script after it.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from armillary.derivation.record import Derivation
+from armillary.site.files import FOLDER, write_pages
+from armillary.site.marks import fill_marks
+from armillary.site.search import wrap_search_index
+
+SECTION = "Systems"
+# What the generated pages are written in.
+_EXTENSIONS: dict[str, dict[str, Any]] = {
+    "admonition": {},
+    "attr_list": {},
+    "def_list": {},
+    "footnotes": {},
+    "md_in_html": {},
+    "tables": {},
+    "toc": {"permalink": "#", "permalink_title": "Link to this heading"},
+}
+_derivations: dict[str, Derivation] = {}
+
+
+def on_config(config: Any) -> Any:
+    """Write the pages of the systems, and give them their place."""
+    root, docs = Path(config.config_file_path).parent, Path(config.docs_dir)
+    _derivations.clear()
+    _derivations.update(write_pages(root, docs))
+    config.use_directory_urls = False  # a page opened from file:// has no server to add index.html
+    config.nav = with_systems(config.nav, _derivations)
+    for name, options in _EXTENSIONS.items():
+        if name not in config.markdown_extensions:
+            config.markdown_extensions.append(name)
+        config.mdx_configs[name] = {**options, **(config.mdx_configs.get(name) or {})}
+    config.theme.static_templates.discard("sitemap.xml")  # it holds the day of the build
+    return config
+
+
+def with_systems(nav: list[Any] | None, derivations: dict[str, Derivation]) -> list[Any] | None:
+    """The navigation with the systems in their section; none stays none: MkDocs lists all files."""
+    if nav is None:
+        return None
+    pages: list[Any] = [{"Overview": f"{FOLDER}/index.md"}]
+    pages += [{d.title: f"{FOLDER}/{name}.md"} for name, d in derivations.items()]
+    filled = [
+        {SECTION: pages} if isinstance(item, dict) and SECTION in item else item for item in nav
+    ]
+    return filled if {SECTION: pages} in filled else [*filled, {SECTION: pages}]
+
+
+def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
+    """Replace the marks of a hand-written page."""
+    if page.file.src_uri.startswith(f"{FOLDER}/"):
+        return markdown
+    return fill_marks(markdown, _derivations, page.file.src_uri)
+
+
+def on_post_build(config: Any) -> None:
+    """Let the search work without a server."""
+    wrap_search_index(Path(config.site_dir))

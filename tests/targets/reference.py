@@ -1,0 +1,79 @@
+"""What a kernel must answer: the evaluator at 50 digits, after the guards."""
+
+import numpy as np
+
+from armillary.program.arithmetic import Reals
+from armillary.program.evaluate import evaluate, guard_status
+from armillary.verify.points import random_points, rows_of
+
+ROUNDINGS = 64
+NAN, INF = float("nan"), float("inf")
+
+
+def read_quantities(program):
+    """What the results depend on, and every input."""
+    kernel, used = program.kernel, program.inputs_used()
+    return [*kernel.inputs, *(q for q in kernel.parameters if q.name in used)]
+
+
+def points(program, count, dtype=np.float64, seed=3):
+    """Random points of the working range, in a precision."""
+    wanted = read_quantities(program)
+    return {n: a.astype(dtype) for n, a in random_points(wanted, count, seed).items()}
+
+
+def spoilt(program, count, dtype=np.float64, seed=4):
+    """The same, every other point with one fault in one argument."""
+    found = points(program, count, dtype, seed)
+    stream = np.random.default_rng(seed)
+    wanted = read_quantities(program)
+    for row in range(0, count if wanted else 0, 2):
+        q = wanted[row // 2 % len(wanted)]
+        low, high = q.facts.limits
+        faults = (NAN, INF, -INF, 2 * high + 1, low - abs(low) - 1, 1e30)
+        place = found[q.name]
+        if q.shape:
+            place[row, stream.integers(3)] = stream.choice(faults)
+        else:
+            place[row] = stream.choice(faults)
+    return found
+
+
+def answers(program, inputs, count):
+    """(status, {result: flat list}) at each point."""
+    reals = Reals()
+    rows = list(rows_of(inputs)) if inputs else [{}] * count
+    return [_answer(program, row, reals) for row in rows]
+
+
+def _answer(program, row, reals):
+    status = guard_status(program.guards, row)
+    if status < 0:
+        return status, {}
+    exact = {
+        n: [reals.number(c) for c in x] if isinstance(x, list) else reals.number(x)
+        for n, x in row.items()
+    }
+    answer = evaluate(program, exact, reals)
+    flat = {n: x if isinstance(x, list) else [x] for n, x in answer.results.items()}
+    return answer.status, flat
+
+
+def agree(program, result, expected, dtype=np.float64):
+    """A call's results are the exact ones to a few roundings of the largest entry."""
+    epsilon = float(np.finfo(dtype).eps)
+    assert result.status.dtype.name == "int8" if hasattr(result.status.dtype, "name") else True
+    statuses = np.atleast_1d(np.asarray(result.status)).tolist()
+    assert statuses == [status for status, _ in expected], program.name
+    for output in program.kernel.outputs:
+        array = np.asarray(getattr(result, output.name))
+        assert array.dtype == dtype
+        rows = array.reshape(len(expected), -1)
+        for row, (status, wanted) in zip(rows, expected, strict=True):
+            if status < 0:
+                assert np.isnan(row).all(), program.name
+                continue
+            exact = wanted[output.name]
+            scale = max(1.0, *(abs(float(x)) for x in exact))
+            worst = max(abs(float(x - float(a))) for x, a in zip(exact, row, strict=True))
+            assert worst <= ROUNDINGS * epsilon * scale, f"{program.name}.{output.name}: {worst}"

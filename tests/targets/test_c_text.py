@@ -1,0 +1,152 @@
+"""What the C says: signatures, Doxygen, width, what it never uses, prefix and precisions."""
+
+import re
+
+import pytest
+
+from armillary.derivation.status import MEANINGS, Status
+from armillary.targets.files import Target
+from tests.targets.compilers import WARNINGS, needs, run
+from tests.targets.conftest import print_all
+from tests.targets.stress import LONG, SYSTEMS, answers, bare, stress
+
+FORBIDDEN = r"\b(malloc|free|static|goto|errno|restrict|alloca|printf|long double|pow|extern int)\b"
+
+
+def texts(printed):
+    return {path.name: path.read_text("utf-8") for path in printed.c.iterdir()}
+
+
+def without_comments(text):
+    return re.sub(r"/\*.*?\*/", "", text, flags=re.S)
+
+
+def test_no_line_is_longer_than_a_hundred_columns(printed):
+    names = re.compile(r"\w{48,}")
+    for name, text in texts(printed).items():
+        for line in text.splitlines():
+            assert len(line) <= 100 or names.search(line), f"{name}: {line}"
+            assert line == line.rstrip()
+            assert "\t" not in line
+
+
+def test_nothing_forbidden_is_used(printed):
+    for name, text in texts(printed).items():
+        assert not re.search(FORBIDDEN, without_comments(text)), name
+        assert not re.search(r"20\d\d-\d\d", text), f"{name} holds a date"
+
+
+def test_every_literal_of_an_f32_source_is_a_float(printed):
+    for path in printed.sources("f32"):
+        code = without_comments(path.read_text())
+        assert not re.search(r"\d\.\d+(e-?\d+)?(?![\de.f])", code), path.name
+        assert not re.search(r"\bdouble\b", code)
+
+
+def test_signatures_follow_the_contract(printed):
+    header = texts(printed)["stress.h"]
+    assert re.search(
+        r"int stress_vectors_f32\(\s*const stress_params_f32 \*p, const float c\[3\], "
+        r"const float v\[3\], float turn, float R\[9\],\s+float w\[3\]\);",
+        header,
+    )
+    assert (
+        "int stress_numbers_f64(const stress_params_f64 *p, double k[3], double *zero);" in header
+    )
+    assert "int bare_root_f64(double x, double *r);" in texts(printed)["bare.h"]
+    struct = re.search(r"typedef struct \{(.*?)\} stress_params_f64;", header, re.S)
+    assert re.findall(r"double (.*);", struct[1]) == ["mount[3]", "S_t[3]", "L_0", "unread"]
+
+
+def test_doxygen_tells_units_limits_shapes_and_ids(printed):
+    flat = " ".join(texts(printed)["stress.h"].replace("\n *", " ").split())
+    assert "@param[in] turn an angle, rad, refused outside [-1000, 1000]" in flat
+    assert "@param[in] c a direction, unit vector; refused when its square is off" in flat
+    assert "@param[out] R R, 3 by 3, row-major" in flat
+    assert "not read: S_t, L_0, unread" in flat
+    flat = " ".join(texts(printed)["answers.h"].replace("\n *", " ").split())
+    assert "(answers-root)" in flat
+    assert "UNREACHABLE: x is too large" in flat
+    for status in ("OK", "NOT_CONVERGED", "LIMIT", "NOT_FINITE", "OUT_OF_RANGE"):
+        assert f"ARMILLARY_{status}" in flat
+
+
+def test_sentences_end_once_and_comments_do_not_end_early(printed):
+    for name, text in texts(printed).items():
+        assert not re.search(r"@brief .*\.\.", text), name
+    header = texts(printed)["stress.h"]
+    assert "not * / an end" in header
+    assert "/ * even * /" in header
+
+
+def test_status_numbers_never_change(printed):
+    text = texts(printed)["armillary_status.h"]
+    found = {n: int(v.strip("()")) for n, v in re.findall(r"#define ARMILLARY_(\w+) (\S+)", text)}
+    assert found == {
+        "OK": 0, "CLAMPED": 1, "SINGULAR": 2, "STICKING": 3, "BELOW_HORIZON": 4, "LIMIT": 5,
+        "NOT_FINITE": -1, "OUT_OF_RANGE": -2, "UNREACHABLE": -3, "NOT_CONVERGED": -4,
+    }  # fmt: skip
+    assert set(MEANINGS) == set(Status)
+
+
+def test_long_names_survive(printed):
+    assert LONG in texts(printed)["names_all_f32.c"]
+
+
+@needs("gcc")
+@pytest.mark.tool
+def test_a_prefix_reaches_every_symbol(tmp_path):
+    target = Target("acme_kernels", "acme", "acme_", ("f32", "f64"), "7.0")
+    printed = print_all(tmp_path, target, {n: make() for n, make in SYSTEMS.items()})
+    objects = []
+    for source in printed.sources():
+        objects.append(tmp_path / f"{source.stem}.o")
+        run("gcc", "-std=c99", *WARNINGS, "-c", source, "-o", objects[-1])
+    defined = re.findall(r" T (\w+)", run("nm", *objects).stdout)
+    assert len(defined) == len(objects)
+    assert all(name.startswith("acme_") for name in defined)
+    assert "acme_stress_params_f32" in (printed.c / "stress.h").read_text()
+    native = printed.module("native")
+    assert native.bare.root(x=9.0).r == 3.0
+
+
+@needs("gcc")
+@pytest.mark.tool
+def test_a_project_of_one_precision(tmp_path):
+    target = Target("single_kernels", "armillary", "", ("f32",), "0.1.0")
+    printed = print_all(tmp_path, target, {"bare": bare(), "stress": stress()})
+    assert not printed.sources("f64")
+    assert "double" not in without_comments((printed.c / "stress.h").read_text())
+    found = printed.module("native").bare.root(x=9.0)
+    assert found.r == 3.0
+    assert found.r.dtype == "float32"
+
+
+def test_any_change_of_layout_changes_the_version(tmp_path):
+    def abi(change):
+        record = bare()
+        change(record.parameter)
+        record.kernels.clear()
+        record.kernel(
+            "root", inputs=[record.quantities["x"]], outputs={"r": record.quantities["x"]}
+        )
+        printed = print_all(tmp_path / "abi", TARGET, {"bare": record})
+        return re.search(r"_ABI (\w+)", (printed.c / "bare.h").read_text())[1]
+
+    target = Target("abi_kernels", "armillary", "", ("f32",), "0.1.0")
+    layouts = [
+        lambda p: None,
+        lambda p: p.length("a", "a length"),
+        lambda p: p.vector("a", "a vector"),
+        lambda p: (p.length("a", "a length"), p.length("b", "a length")),
+        lambda p: (p.length("b", "a length"), p.length("a", "a length")),
+    ]
+    assert len({abi(change) for change in layouts}) == len(layouts)
+    assert abi(layouts[1]) == abi(layouts[1])
+
+
+def test_golden(printed, golden):
+    assert answers().name == "answers"
+    for name in ("answers.h", "answers_both_signs_f32.c", "bare_root_f64.c"):
+        golden(name, (printed.c / name).read_text("utf-8"))
+    golden("answers.py.txt", (printed.folder / "python/printed_kernels/answers.py").read_text())

@@ -1,0 +1,45 @@
+"""Dual numbers find every derivative of a system, and a wrong sign in any of them."""
+
+import pytest
+
+from armillary.verify import duals
+from tests.verify.systems import TWO_AXES, record_and_programs, write
+
+CHECKS = {
+    ("velocity", "Omega_space by dual numbers of the pose"),
+    ("velocity", "Omega_body by dual numbers of the pose"),
+    ("velocity", "v_origin by dual numbers of the pose"),
+    ("jacobian", "each column of J by dual numbers of the pose"),
+    ("climb", "height_rate is the time derivative of height"),
+}
+
+
+def checked(root, text):
+    record, programs = record_and_programs(write(root, two_axes=text), "two_axes")
+    return list(duals.checks(record, programs))
+
+
+def test_every_derivative_is_found_and_right(tmp_path):
+    made = checked(tmp_path, TWO_AXES)
+    assert {(m.kernel, m.name) for m in made} == CHECKS
+    assert all(m.passed and m.points > 20 for m in made), made
+    assert max(m.worst for m in made) < 1e-40
+
+
+WRONG = {
+    "Omega_space": ('w = d.define("Omega_space", chain', 'w = d.define("Omega_space", -chain'),
+    "Omega_body": ("chain.body_angular_velocity", "chain.angular_velocity"),
+    "v_origin": ('chain.velocity("tip")', 'chain.velocity("tip", vector(0, "1e-20", 0) * L)'),
+    "J": ('chain.jacobian("tip", (a, b))', 'chain.jacobian("tip", (b, a))'),
+    "height_rate": ("time_derivative(M.position.z)", "time_derivative(M.position.z) * 2"),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_a_wrong_derivative_is_found(tmp_path, name):
+    right, wrong = WRONG[name]
+    assert right in TWO_AXES
+    failed = [m for m in checked(tmp_path, TWO_AXES.replace(right, wrong)) if not m.passed]
+    assert len(failed) == 1
+    assert name in failed[0].name
+    assert failed[0].at

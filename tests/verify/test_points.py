@@ -1,0 +1,65 @@
+"""Points: the same every run, inside the limits, and awkward where they say so."""
+
+import numpy as np
+import pytest
+
+from armillary import Derivation
+from armillary.program.compile import compile_kernel
+from armillary.program.evaluate import guard_status
+from armillary.verify.points import awkward_points, count, illegal_points, random_points, rows_of
+
+
+@pytest.fixture
+def record():
+    d = Derivation("points", title="Points")
+    t, L = d.angle("t", "angle"), d.length("L", "length", range=(0.5, 2.0))
+    n, f = d.unit_vector("n", "direction"), d.vector("f", "force")
+    g = d.parameter.scalar("g", "factor", limits=(0.1, 3.0), range=(1.0, 2.0))
+    d.kernel("k", inputs=[t, L, n, f], outputs={"r": t * g + n.x + f.y, "s": 2 * L})
+    return d
+
+
+def test_random_points_lie_in_the_ranges(record):
+    points = random_points(record, 200, seed=1)
+    assert {name: a.shape for name, a in points.items()} == {
+        "t": (200,), "L": (200,), "n": (200, 3), "f": (200, 3), "g": (200,)
+    }  # fmt: skip
+    assert points["L"].min() >= 0.5
+    assert points["L"].max() <= 2.0
+    assert points["g"].min() >= 1.0
+    assert np.allclose(np.linalg.norm(points["n"], axis=1), 1.0, atol=1e-15)
+    assert np.ptp(points["t"]) > 5.0
+
+
+def test_random_points_are_the_same_every_run(record):
+    first, second = random_points(record, 5, seed=1), random_points(record, 5, seed=1)
+    assert all(np.array_equal(first[n], second[n]) for n in first)
+    assert not np.array_equal(first["t"], random_points(record, 5, seed=2)["t"])
+
+
+def test_a_new_quantity_moves_no_others_points(record):
+    before = random_points(record, 5)
+    record.angle("z", "another")
+    assert all(np.array_equal(before[n], random_points(record, 5)[n]) for n in before)
+
+
+def test_awkward_points_are_legal_and_awkward(record):
+    kernel = record.kernels["k"]
+    guards = compile_kernel(kernel).program.guards
+    points = awkward_points(kernel)
+    assert {guard_status(guards, row) for row in rows_of(points)} == {0}
+    assert {0.0, np.pi, -np.pi / 2, 999.0} <= set(points["t"])
+    assert {0.0, 1e6} <= set(points["L"])
+    assert {0.1, 1.0, 3.0} <= set(points["g"])
+    up = [0.0, 0.0, 1.0]
+    assert any(np.array_equal(n, up) for n in points["n"])
+    nearly = [n for n in points["n"] if 0 < np.hypot(n[0], n[1]) < 1e-3]
+    assert nearly
+
+
+def test_illegal_points_are_all_refused(record):
+    kernel = record.kernels["k"]
+    guards = compile_kernel(kernel).program.guards
+    points = illegal_points(kernel)
+    assert {guard_status(guards, row) for row in rows_of(points)} == {-1, -2}
+    assert count(points) == 5 * 7 + 3
