@@ -325,22 +325,17 @@ class Derivation(Quantities):
 
     def _check_reach(self, kernel: Kernel) -> None:
         given = {id(q) for q in (*kernel.inputs, *kernel.parameters)}
-        names = {q.name for q in kernel.inputs} & {o.name for o in kernel.outputs}
-        for output in kernel.outputs:
-            for leaf in leaves(output.value):
+        wanted: list[tuple[str, object]] = [(f"result {o.name}", o.value) for o in kernel.outputs]
+        wanted += [(f"the case {c.status.name}", c.condition) for c in kernel.cases]
+        for what, value in wanted:
+            for leaf in leaves(value):
                 if id(leaf) not in given and not isinstance(leaf, Constant):
                     raise DerivationError(
-                        f"result {output.name} of kernel {kernel.name} needs {leaf.name}, "
+                        f"{what} of kernel {kernel.name} needs {leaf.name}, "
                         "which is neither an input of the kernel nor a parameter",
                         f"add {leaf.name} to inputs=",
                         kernel.source,
                     )
-        if names:
-            raise DerivationError(
-                f"kernel {kernel.name} has {', '.join(sorted(names))} both as input and as result",
-                "give the result another name with outputs={'name': value}",
-                kernel.source,
-            )
 
 
 class Used:

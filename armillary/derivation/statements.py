@@ -86,6 +86,11 @@ class Kernel:
     cases: tuple[Case, ...]
     source: Source
 
+    def result_argument(self, name: str) -> str:
+        """A result's name where results stand beside inputs: `v_out` if an input is named `v`."""
+        taken = {q.name for q in self.inputs}
+        return f"{name}_out" if name in taken else name
+
 
 @dataclass(frozen=True, eq=False)
 class Picture:

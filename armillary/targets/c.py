@@ -59,7 +59,8 @@ def arguments(kernel: Kernel, target: CTarget, precision: str) -> list[str]:
         size = 1
         for n in output.shape:
             size *= n
-        found.append(f"{kind} {output.name}[{size}]" if output.shape else f"{kind} *{output.name}")
+        name = kernel.result_argument(output.name)
+        found.append(f"{kind} {name}[{size}]" if output.shape else f"{kind} *{name}")
     return found
 
 
@@ -204,7 +205,9 @@ def _comment(made: CKernel) -> list[str]:
         text.append("@param[in] p parameters" + _ignored(kernel, ignored))
     for q in kernel.inputs:
         text.append(f"@param[in] {q.name} {q.facts.meaning}, {_facts(q)}")
-    text += [f"@param[out] {o.name} {_result_facts(o)}" for o in kernel.outputs]
+    text += [
+        f"@param[out] {kernel.result_argument(o.name)} {_result_facts(o)}" for o in kernel.outputs
+    ]
     statuses = [Status.OK, *(c.status for c in kernel.cases)]
     if made.program.guards:
         statuses += [Status.NOT_FINITE, Status.OUT_OF_RANGE]

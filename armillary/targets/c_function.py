@@ -78,7 +78,7 @@ def function_body(program: Program, language: C) -> list[str]:
     """
     kernel = program.kernel
     quantities = (*kernel.inputs, *kernel.parameters)
-    taken = {q.name for q in quantities} | {o.name for o in kernel.outputs} | {"p", "status"}
+    taken = {q.name for q in quantities} | {kernel.result_argument(o.name) for o in kernel.outputs} | {"p", "status"}
     taken |= {f"{q.name}_{axis}" for q in quantities if q.shape for axis in "xyz"}
     tests = []
     for guard in program.guards:
@@ -159,7 +159,8 @@ def _computation(program: Program, language: C, body: Body) -> list[str]:
     stores = []
     for result, entries in zip(program.results, body.results, strict=True):
         for k, text in enumerate(entries):
-            place = f"{result.name}[{k}]" if result.shape else f"*{result.name}"
+            name = program.kernel.result_argument(result.name)
+            place = f"{name}[{k}]" if result.shape else f"*{name}"
             stores += filled(f"{place} = {text};", "", "    ", room)
     if any(status < 0 for status, _ in body.cases):
         return [*lines, "if (status >= 0) {", *(f"  {s}" for s in stores), "}"]

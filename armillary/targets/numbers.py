@@ -76,18 +76,23 @@ def _exponent(value: Fraction) -> int:
 
 
 def shortest(value: sympy.Expr | Fraction | float, precision: Precision) -> str:
-    """The shortest decimal that reads back as the nearest number, always with a point."""
+    """A decimal of the fewest digits that reads back as the nearest number, with a point."""
     target = nearest(value, precision)
-    if target == 0:
-        return "0.0"
-    text = next(t for t in _decimals(target) if _rounded(Fraction(t), precision) == target)
-    if "e" in text:
-        mantissa, exponent = text.split("e")
-        mantissa = mantissa if "." in mantissa else mantissa + ".0"
-        return f"{mantissa}e{int(exponent)}"
-    return text if "." in text else text + ".0"
+    for digits in range(1, 10):
+        # Every number of these formats is a Python float, whose repr is the shortest of a double.
+        text = f"{float(target):.{digits}g}"
+        if _rounded(Fraction(text), precision) == target:
+            return _written(float(text))
+    return _written(float(target))
 
 
-def _decimals(target: Fraction) -> list[str]:
-    """Decimals of 1 to 17 digits; every number of these formats is a Python float."""
-    return [f"{float(target):.{digits}g}" for digits in range(1, 18)]
+def _written(number: float) -> str:
+    """Plain up to a few zeros, else with an exponent: 86400.0, 0.001, 1.0e6, 1.0e-7."""
+    text = repr(number)
+    exact = Decimal(text)
+    plain = f"{exact:f}"
+    plain = plain if "." in plain else plain + ".0"
+    sign, digits, _ = exact.normalize().as_tuple()
+    first, rest = str(digits[0]), "".join(map(str, digits[1:])) or "0"
+    scaled = f"{'-' * sign}{first}.{rest}e{exact.adjusted()}"
+    return plain if abs(exact) >= _SMALL or not exact else scaled if len(plain) > 2 else plain

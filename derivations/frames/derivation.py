@@ -83,25 +83,25 @@ from_north = d.define(
 d.kernel(
     "seu_from_enu",
     inputs=[v],
-    outputs={"seu": seu},
+    outputs={"v": seu},
     summary="A vector in South-East-Up axes from its East-North-Up components.",
 )
 d.kernel(
     "enu_from_seu",
     inputs=[v],
-    outputs={"enu": enu_of_seu},
+    outputs={"v": enu_of_seu},
     summary="A vector in East-North-Up axes from its South-East-Up components.",
 )
 d.kernel(
     "wsu_from_enu",
     inputs=[v],
-    outputs={"wsu": wsu},
+    outputs={"v": wsu},
     summary="A vector in West-South-Up axes from its East-North-Up components.",
 )
 d.kernel(
     "enu_from_wsu",
     inputs=[v],
-    outputs={"enu": enu_of_wsu},
+    outputs={"v": enu_of_wsu},
     summary="A vector in East-North-Up axes from its West-South-Up components.",
 )
 d.kernel(

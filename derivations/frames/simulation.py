@@ -14,14 +14,14 @@ def checks(kernels):
     v = np.random.default_rng(1).uniform(-10, 10, (COUNT, 3))
     # The axes are listed as they stand in East-North-Up; a vector's components are its shadows.
     south, east, west, up = (0, -1, 0), (1, 0, 0), (-1, 0, 0), (0, 0, 1)
-    for outward, back, name, axes in (
-        ("seu_from_enu", "enu_from_seu", "seu", (south, east, up)),
-        ("wsu_from_enu", "enu_from_wsu", "wsu", (west, south, up)),
+    for outward, back, axes in (
+        ("seu_from_enu", "enu_from_seu", (south, east, up)),
+        ("wsu_from_enu", "enu_from_wsu", (west, south, up)),
     ):
         turn = rotation.from_matrix(np.array(axes, dtype=float))
-        found = getattr(getattr(kernels, outward)(v=v), name)
+        found = getattr(kernels, outward)(v=v).v
         yield compare(outward, "SciPy", found, turn.apply(v), 1e-14, {"v": v}, outward)
-        found = getattr(kernels, back)(v=v).enu
+        found = getattr(kernels, back)(v=v).v
         yield compare(back, "SciPy", found, turn.inv().apply(v), 1e-14, {"v": v}, back)
 
     erfa = need("erfa")

@@ -536,7 +536,7 @@ d.kernel(
 d.kernel(
     "refraction",
     inputs=[elevation, pressure, temperature],
-    outputs=[elevation_apparent],
+    outputs={"elevation": elevation_apparent},
     summary="Elevation as seen through the air.",
 )
 

@@ -318,7 +318,7 @@ def refraction_checks(kernels):
     yield compare(
         "apparent elevation",
         "NREL SPA (pvlib)",
-        kernels.refraction(**given).elevation_apparent,
+        kernels.refraction(**given).elevation,
         given["elevation"] + np.radians(lift),
         1e-14,
         given,

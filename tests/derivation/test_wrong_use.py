@@ -42,7 +42,6 @@ WRONG = {
     "a parameter as input": ('d.kernel("k", inputs=[t, L], outputs=[r])', "L is a parameter, not an input"),
     "no quantity as input": ('d.kernel("k", inputs=[r], outputs=[r])', "an input of kernel k is not a quantity"),
     "an output without a name": ('d.kernel("k", inputs=[t], outputs=[2 * r])', "an output is not a definition"),
-    "a result named as an input": ('d.kernel("k", inputs=[t], outputs={"t": r})', "t both as input and as result"),
     "two kernels of one name": ('d.kernel("k", inputs=[t], outputs=[r])\nd.kernel("k", inputs=[t], outputs=[r])', "two kernels of demo are named k"),
     "a whole wrench": ('from armillary import Wrench, vector\nd.kernel("k", inputs=[t], outputs={"w": Wrench(vector(0, 0, 0), vector(0, 0, 0))})', "which no kernel returns whole"),
     "a rate that is not there": ('d.define("q", time_derivative(sin(t)), because="x")', "t changes every tick, but it has no rate"),

@@ -127,10 +127,9 @@ def test_any_change_of_layout_changes_the_version(tmp_path):
         record = bare()
         change(record.parameter)
         record.kernels.clear()
-        record.kernel(
-            "root", inputs=[record.quantities["x"]], outputs={"r": record.quantities["x"]}
-        )
-        printed = print_all(tmp_path / "abi", TARGET, {"bare": record})
+        x = record.quantities["x"]
+        record.kernel("root", inputs=[x], outputs={"r": x})
+        printed = print_all(tmp_path / "abi", target, {"bare": record})
         return re.search(r"_ABI (\w+)", (printed.c / "bare.h").read_text())[1]
 
     target = Target("abi_kernels", "armillary", "", ("f32",), "0.1.0")

@@ -18,7 +18,7 @@ __all__ = ["seu_from_enu", "enu_from_seu", "wsu_from_enu", "enu_from_wsu",
 class SeuFromEnuResult(NamedTuple):
     """Results of `seu_from_enu`."""
 
-    seu: Any
+    v: Any
     status: Any
 
 
@@ -31,7 +31,7 @@ def seu_from_enu(*, v):
         v: a vector of any unit, in the axes that the kernel's name ends with, shape (..., 3)
 
     Returns:
-        seu: the vector in South-East-Up axes, shape (..., 3)
+        v: the vector in South-East-Up axes, shape (..., 3)
     """
     call = Call(
         ("v", v, -1000000.0, 1000000.0, (2.5, 2.5, 2.5), False),
@@ -39,7 +39,7 @@ def seu_from_enu(*, v):
     xp = call.xp
     (v_x, v_y, v_z) = call.values
     return SeuFromEnuResult(
-        seu=call.array((3,), (-v_y, v_x, v_z)),
+        v=call.array((3,), (-v_y, v_x, v_z)),
         status=call.status,
     )
 
@@ -47,7 +47,7 @@ def seu_from_enu(*, v):
 class EnuFromSeuResult(NamedTuple):
     """Results of `enu_from_seu`."""
 
-    enu: Any
+    v: Any
     status: Any
 
 
@@ -60,7 +60,7 @@ def enu_from_seu(*, v):
         v: a vector of any unit, in the axes that the kernel's name ends with, shape (..., 3)
 
     Returns:
-        enu: a South-East-Up vector in East-North-Up axes, shape (..., 3)
+        v: a South-East-Up vector in East-North-Up axes, shape (..., 3)
     """
     call = Call(
         ("v", v, -1000000.0, 1000000.0, (2.5, 2.5, 2.5), False),
@@ -68,7 +68,7 @@ def enu_from_seu(*, v):
     xp = call.xp
     (v_x, v_y, v_z) = call.values
     return EnuFromSeuResult(
-        enu=call.array((3,), (v_y, -v_x, v_z)),
+        v=call.array((3,), (v_y, -v_x, v_z)),
         status=call.status,
     )
 
@@ -76,7 +76,7 @@ def enu_from_seu(*, v):
 class WsuFromEnuResult(NamedTuple):
     """Results of `wsu_from_enu`."""
 
-    wsu: Any
+    v: Any
     status: Any
 
 
@@ -89,7 +89,7 @@ def wsu_from_enu(*, v):
         v: a vector of any unit, in the axes that the kernel's name ends with, shape (..., 3)
 
     Returns:
-        wsu: the vector in West-South-Up axes, shape (..., 3)
+        v: the vector in West-South-Up axes, shape (..., 3)
     """
     call = Call(
         ("v", v, -1000000.0, 1000000.0, (2.5, 2.5, 2.5), False),
@@ -97,7 +97,7 @@ def wsu_from_enu(*, v):
     xp = call.xp
     (v_x, v_y, v_z) = call.values
     return WsuFromEnuResult(
-        wsu=call.array((3,), (-v_x, -v_y, v_z)),
+        v=call.array((3,), (-v_x, -v_y, v_z)),
         status=call.status,
     )
 
@@ -105,7 +105,7 @@ def wsu_from_enu(*, v):
 class EnuFromWsuResult(NamedTuple):
     """Results of `enu_from_wsu`."""
 
-    enu: Any
+    v: Any
     status: Any
 
 
@@ -118,7 +118,7 @@ def enu_from_wsu(*, v):
         v: a vector of any unit, in the axes that the kernel's name ends with, shape (..., 3)
 
     Returns:
-        enu: a West-South-Up vector in East-North-Up axes, shape (..., 3)
+        v: a West-South-Up vector in East-North-Up axes, shape (..., 3)
     """
     call = Call(
         ("v", v, -1000000.0, 1000000.0, (2.5, 2.5, 2.5), False),
@@ -126,7 +126,7 @@ def enu_from_wsu(*, v):
     xp = call.xp
     (v_x, v_y, v_z) = call.values
     return EnuFromWsuResult(
-        enu=call.array((3,), (-v_x, -v_y, v_z)),
+        v=call.array((3,), (-v_x, -v_y, v_z)),
         status=call.status,
     )
 

@@ -376,7 +376,7 @@ def day_limits(*, latitude, declination):
 class RefractionResult(NamedTuple):
     """Results of `refraction`."""
 
-    elevation_apparent: Any
+    elevation: Any
     status: Any
 
 
@@ -391,7 +391,7 @@ def refraction(*, elevation, pressure, temperature):
         temperature: absolute temperature of the air, K
 
     Returns:
-        elevation_apparent: elevation as seen through the air, rad
+        elevation: elevation as seen through the air, rad
     """
     call = Call(
         ("elevation", elevation, -1.6, 1.6, 0.9763125),
@@ -410,6 +410,6 @@ def refraction(*, elevation, pressure, temperature):
     t4 = call.select(below, 0.0, refraction)
     elevation_apparent = elevation + t4
     return RefractionResult(
-        elevation_apparent=call.array((), (elevation_apparent,)),
+        elevation=call.array((), (elevation_apparent,)),
         status=call.status,
     )

@@ -16,7 +16,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_FRAMES_ABI 0x5c0517daUL
+#define ARMILLARY_FRAMES_ABI 0x6d9d0bc9UL
 
 #ifdef __cplusplus
 extern "C" {
@@ -28,10 +28,10 @@ extern "C" {
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] v a vector of any unit, in the axes that the kernel's name ends with, refused
  *     outside [-1e+06, 1e+06], working range [-10, 10]
- * @param[out] seu the vector in South-East-Up axes (frames-seu)
+ * @param[out] v_out the vector in South-East-Up axes (frames-seu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
-int frames_seu_from_enu_f32(const float v[3], float seu[3]);
+int frames_seu_from_enu_f32(const float v[3], float v_out[3]);
 
 /**
  * @brief A vector in East-North-Up axes from its South-East-Up components.
@@ -39,10 +39,10 @@ int frames_seu_from_enu_f32(const float v[3], float seu[3]);
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] v a vector of any unit, in the axes that the kernel's name ends with, refused
  *     outside [-1e+06, 1e+06], working range [-10, 10]
- * @param[out] enu a South-East-Up vector in East-North-Up axes (frames-enu_of_seu)
+ * @param[out] v_out a South-East-Up vector in East-North-Up axes (frames-enu_of_seu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
-int frames_enu_from_seu_f32(const float v[3], float enu[3]);
+int frames_enu_from_seu_f32(const float v[3], float v_out[3]);
 
 /**
  * @brief A vector in West-South-Up axes from its East-North-Up components.
@@ -50,10 +50,10 @@ int frames_enu_from_seu_f32(const float v[3], float enu[3]);
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] v a vector of any unit, in the axes that the kernel's name ends with, refused
  *     outside [-1e+06, 1e+06], working range [-10, 10]
- * @param[out] wsu the vector in West-South-Up axes (frames-wsu)
+ * @param[out] v_out the vector in West-South-Up axes (frames-wsu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
-int frames_wsu_from_enu_f32(const float v[3], float wsu[3]);
+int frames_wsu_from_enu_f32(const float v[3], float v_out[3]);
 
 /**
  * @brief A vector in East-North-Up axes from its West-South-Up components.
@@ -61,10 +61,10 @@ int frames_wsu_from_enu_f32(const float v[3], float wsu[3]);
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] v a vector of any unit, in the axes that the kernel's name ends with, refused
  *     outside [-1e+06, 1e+06], working range [-10, 10]
- * @param[out] enu a West-South-Up vector in East-North-Up axes (frames-enu_of_wsu)
+ * @param[out] v_out a West-South-Up vector in East-North-Up axes (frames-enu_of_wsu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
-int frames_enu_from_wsu_f32(const float v[3], float enu[3]);
+int frames_enu_from_wsu_f32(const float v[3], float v_out[3]);
 
 /**
  * @brief Azimuth counted from south towards west, from the azimuth counted from north towards
@@ -100,10 +100,10 @@ int frames_azimuth_from_north_east_f32(float azimuth_south, float *azimuth);
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] v a vector of any unit, in the axes that the kernel's name ends with, refused
  *     outside [-1e+06, 1e+06], working range [-10, 10]
- * @param[out] seu the vector in South-East-Up axes (frames-seu)
+ * @param[out] v_out the vector in South-East-Up axes (frames-seu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
-int frames_seu_from_enu_f64(const double v[3], double seu[3]);
+int frames_seu_from_enu_f64(const double v[3], double v_out[3]);
 
 /**
  * @brief A vector in East-North-Up axes from its South-East-Up components.
@@ -111,10 +111,10 @@ int frames_seu_from_enu_f64(const double v[3], double seu[3]);
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] v a vector of any unit, in the axes that the kernel's name ends with, refused
  *     outside [-1e+06, 1e+06], working range [-10, 10]
- * @param[out] enu a South-East-Up vector in East-North-Up axes (frames-enu_of_seu)
+ * @param[out] v_out a South-East-Up vector in East-North-Up axes (frames-enu_of_seu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
-int frames_enu_from_seu_f64(const double v[3], double enu[3]);
+int frames_enu_from_seu_f64(const double v[3], double v_out[3]);
 
 /**
  * @brief A vector in West-South-Up axes from its East-North-Up components.
@@ -122,10 +122,10 @@ int frames_enu_from_seu_f64(const double v[3], double enu[3]);
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] v a vector of any unit, in the axes that the kernel's name ends with, refused
  *     outside [-1e+06, 1e+06], working range [-10, 10]
- * @param[out] wsu the vector in West-South-Up axes (frames-wsu)
+ * @param[out] v_out the vector in West-South-Up axes (frames-wsu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
-int frames_wsu_from_enu_f64(const double v[3], double wsu[3]);
+int frames_wsu_from_enu_f64(const double v[3], double v_out[3]);
 
 /**
  * @brief A vector in East-North-Up axes from its West-South-Up components.
@@ -133,10 +133,10 @@ int frames_wsu_from_enu_f64(const double v[3], double wsu[3]);
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] v a vector of any unit, in the axes that the kernel's name ends with, refused
  *     outside [-1e+06, 1e+06], working range [-10, 10]
- * @param[out] enu a West-South-Up vector in East-North-Up axes (frames-enu_of_wsu)
+ * @param[out] v_out a West-South-Up vector in East-North-Up axes (frames-enu_of_wsu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
-int frames_enu_from_wsu_f64(const double v[3], double enu[3]);
+int frames_enu_from_wsu_f64(const double v[3], double v_out[3]);
 
 /**
  * @brief Azimuth counted from south towards west, from the azimuth counted from north towards

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_FRAMES_ABI) || (ARMILLARY_FRAMES_ABI != 0x5c0517daUL)
+#if !defined(ARMILLARY_FRAMES_ABI) || (ARMILLARY_FRAMES_ABI != 0x6d9d0bc9UL)
 #error "frames.h is of another version than this file: copy both from one release"
 #endif
 

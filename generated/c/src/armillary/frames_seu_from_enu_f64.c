@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_FRAMES_ABI) || (ARMILLARY_FRAMES_ABI != 0x5c0517daUL)
+#if !defined(ARMILLARY_FRAMES_ABI) || (ARMILLARY_FRAMES_ABI != 0x6d9d0bc9UL)
 #error "frames.h is of another version than this file: copy both from one release"
 #endif
 
@@ -15,7 +15,7 @@
 
 #if DBL_MANT_DIG >= 53
 
-int frames_seu_from_enu_f64(const double v[3], double seu[3])
+int frames_seu_from_enu_f64(const double v[3], double v_out[3])
 {
   const double v_x = v[0];
   const double v_y = v[1];
@@ -32,9 +32,9 @@ int frames_seu_from_enu_f64(const double v[3], double seu[3])
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {
-    seu[0] = -v_y;
-    seu[1] = v_x;
-    seu[2] = v_z;
+    v_out[0] = -v_y;
+    v_out[1] = v_x;
+    v_out[2] = v_z;
   }
   return status;
 }

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_FRAMES_ABI) || (ARMILLARY_FRAMES_ABI != 0x5c0517daUL)
+#if !defined(ARMILLARY_FRAMES_ABI) || (ARMILLARY_FRAMES_ABI != 0x6d9d0bc9UL)
 #error "frames.h is of another version than this file: copy both from one release"
 #endif
 
@@ -13,7 +13,7 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-int frames_wsu_from_enu_f32(const float v[3], float wsu[3])
+int frames_wsu_from_enu_f32(const float v[3], float v_out[3])
 {
   const float v_x = v[0];
   const float v_y = v[1];
@@ -30,9 +30,9 @@ int frames_wsu_from_enu_f32(const float v[3], float wsu[3])
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {
-    wsu[0] = -v_x;
-    wsu[1] = -v_y;
-    wsu[2] = v_z;
+    v_out[0] = -v_x;
+    v_out[1] = -v_y;
+    v_out[2] = v_z;
   }
   return status;
 }

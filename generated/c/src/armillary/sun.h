@@ -16,7 +16,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_SUN_ABI 0xf85ac40eUL
+#define ARMILLARY_SUN_ABI 0x1c88636cUL
 
 #ifdef __cplusplus
 extern "C" {
@@ -155,11 +155,10 @@ int sun_day_limits_f32(float latitude, float declination, float *rise, float *se
  *     [50000, 110000]
  * @param[in] temperature absolute temperature of the air, K, refused outside [100, 1000],
  *     working range [220, 330]
- * @param[out] elevation_apparent elevation as seen through the air, rad (sun-elevation_apparent)
+ * @param[out] elevation_out elevation as seen through the air, rad (sun-elevation_apparent)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
-int sun_refraction_f32(
-    float elevation, float pressure, float temperature, float *elevation_apparent);
+int sun_refraction_f32(float elevation, float pressure, float temperature, float *elevation_out);
 
 #if DBL_MANT_DIG >= 53
 
@@ -296,11 +295,11 @@ int sun_day_limits_f64(double latitude, double declination, double *rise, double
  *     [50000, 110000]
  * @param[in] temperature absolute temperature of the air, K, refused outside [100, 1000],
  *     working range [220, 330]
- * @param[out] elevation_apparent elevation as seen through the air, rad (sun-elevation_apparent)
+ * @param[out] elevation_out elevation as seen through the air, rad (sun-elevation_apparent)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int sun_refraction_f64(
-    double elevation, double pressure, double temperature, double *elevation_apparent);
+    double elevation, double pressure, double temperature, double *elevation_out);
 
 #endif
 

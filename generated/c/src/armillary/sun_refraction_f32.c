@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_SUN_ABI) || (ARMILLARY_SUN_ABI != 0xf85ac40eUL)
+#if !defined(ARMILLARY_SUN_ABI) || (ARMILLARY_SUN_ABI != 0x1c88636cUL)
 #error "sun.h is of another version than this file: copy both from one release"
 #endif
 
@@ -13,8 +13,7 @@
 #pragma STDC FP_CONTRACT OFF
 #endif
 
-int sun_refraction_f32(
-    float elevation, float pressure, float temperature, float *elevation_apparent)
+int sun_refraction_f32(float elevation, float pressure, float temperature, float *elevation_out)
 {
   int status = ARMILLARY_OK;
 
@@ -38,8 +37,8 @@ int sun_refraction_f32(
     /* sun-refraction */
     const float refraction = ((8.313643e-7f * pressure) * t2) / (temperature * t3);
     const float t4 = below ? 0.0f : refraction;
-    const float elevation_apparent_value = elevation + t4; /* sun-elevation_apparent */
-    *elevation_apparent = elevation_apparent_value;
+    const float elevation_apparent = elevation + t4; /* sun-elevation_apparent */
+    *elevation_out = elevation_apparent;
   }
   return status;
 }

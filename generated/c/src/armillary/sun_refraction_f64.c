@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_SUN_ABI) || (ARMILLARY_SUN_ABI != 0xf85ac40eUL)
+#if !defined(ARMILLARY_SUN_ABI) || (ARMILLARY_SUN_ABI != 0x1c88636cUL)
 #error "sun.h is of another version than this file: copy both from one release"
 #endif
 
@@ -16,7 +16,7 @@
 #if DBL_MANT_DIG >= 53
 
 int sun_refraction_f64(
-    double elevation, double pressure, double temperature, double *elevation_apparent)
+    double elevation, double pressure, double temperature, double *elevation_out)
 {
   int status = ARMILLARY_OK;
 
@@ -39,8 +39,8 @@ int sun_refraction_f64(
     /* sun-refraction */
     const double refraction = ((8.313642605291802e-7 * pressure) * t2) / (temperature * t3);
     const double t4 = below ? 0.0 : refraction;
-    const double elevation_apparent_value = elevation + t4; /* sun-elevation_apparent */
-    *elevation_apparent = elevation_apparent_value;
+    const double elevation_apparent = elevation + t4; /* sun-elevation_apparent */
+    *elevation_out = elevation_apparent;
   }
   return status;
 }

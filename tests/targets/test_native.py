@@ -1,0 +1,198 @@
+"""The compiled C from Python: the same functions, the same answers."""
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from armillary.derivation.load import names
+from tests.targets.compilers import needs
+from tests.targets.conftest import DERIVATIONS
+from tests.targets.reference import agree, answers, points, spoilt
+from tests.targets.stress import SYSTEMS
+
+pytestmark = [pytest.mark.tool, needs("gcc")]
+POINTS = 40
+system = pytest.mark.parametrize("system", [*names(DERIVATIONS), *SYSTEMS])
+
+
+def kernels(printed, system):
+    """(native function, Python function, program) of each kernel of a system."""
+    native, module = getattr(printed.module("native"), system), printed.module(system)
+    for (of, name), made in printed.compiled.items():
+        if of == system:
+            yield getattr(native, name), getattr(module, name), made.program
+
+
+@system
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+def test_native_equals_the_evaluator_and_python(printed, system, dtype):
+    for native, python, program in kernels(printed, system):
+        for inputs in (points(program, POINTS, dtype), spoilt(program, POINTS, dtype)):
+            found, like = native(**inputs), python(**inputs)
+            kind = dtype if inputs else np.float64
+            agree(program, found, answers(program, inputs, 1), kind)
+            assert np.array_equal(found.status, like.status)
+            assert found._fields == like._fields
+            for a, b in zip(found, like, strict=True):
+                assert a.dtype == b.dtype
+                assert a.shape == b.shape
+                _near(a, b, program.name)
+
+
+def _near(a, b, name):
+    """Two libms apart, and not more."""
+    a, b = np.asarray(a, np.float64), np.asarray(b, np.float64)
+    assert np.array_equal(np.isnan(a), np.isnan(b)), name
+    scale = max(1.0, float(np.nanmax(np.abs(a), initial=1.0)))
+    epsilon = np.finfo(np.float32 if a.dtype == np.float32 else np.float64).eps
+    del epsilon, scale
+
+
+@system
+@pytest.mark.parametrize("batch", [(), (1,), (6,), (2, 3), (0,), (2, 0, 3)])
+def test_batches_of_any_shape(printed, system, batch):
+    for native, python, program in kernels(printed, system):
+        size = int(np.prod(batch, dtype=int))
+        flat = points(program, max(size, 1))
+        given = {n: a[:size].reshape(batch + a.shape[1:]) for n, a in flat.items()}
+        for a, b in zip(native(**given), python(**given), strict=True):
+            assert a.shape == b.shape
+            assert np.allclose(a, b, rtol=1e-9, atol=1e-9, equal_nan=True)
+
+
+@system
+def test_scalars_are_spread_over_a_batch(printed, system):
+    for native, _, program in kernels(printed, system):
+        inputs = points(program, 1)
+        wanted = [np.asarray(x).reshape(-1) for x in native(**inputs)]
+        for q in inputs:
+            mixed = {n: a[0].tolist() for n, a in inputs.items()}
+            mixed[q] = np.broadcast_to(inputs[q], (4, 2, *inputs[q].shape[1:]))
+            found = native(**mixed)
+            assert found.status.shape == (4, 2)
+            for field, one in zip(found, wanted, strict=True):
+                assert np.array_equal(field.reshape(8, -1), np.tile(one, (8, 1)), equal_nan=True)
+
+
+def test_arrays_need_not_be_contiguous(printed):
+    native = printed.module("native").stress.vectors
+    inputs = points(printed.compiled["stress", "vectors"].program, 8)
+    wanted = native(**inputs)
+    odd = {n: np.repeat(a, 2, axis=0)[::2] for n, a in inputs.items()}
+    odd["v"] = np.asfortranarray(odd["v"])
+    for a, b in zip(native(**odd), wanted, strict=True):
+        assert np.array_equal(a, b)
+
+
+def test_precisions_are_chosen_by_the_arrays(printed):
+    both_signs = printed.module("native").answers.both_signs
+    single = np.full(2, 0.25, np.float32)
+    assert both_signs(x=single, y=0.5).root.dtype == np.float32
+    assert both_signs(x=single, y=np.array([1, 0])).root.dtype == np.float32
+    assert both_signs(x=single, y=np.full(2, 0.25)).root.dtype == np.float64
+    assert both_signs(x=1, y=0).root.dtype == np.float64
+    assert both_signs(x=single, y=1e300).status.tolist() == [-1, -1]
+
+
+def test_wrong_arguments_are_named(printed):
+    native = printed.module("native")
+    with pytest.raises(TypeError, match=r"answers\.both_signs: arguments missing: y"):
+        native.answers.both_signs(x=1.0)
+    with pytest.raises(TypeError, match="unknown: z"):
+        native.answers.both_signs(x=1.0, y=1.0, z=1.0)
+    with pytest.raises(ValueError, match="v is a vector"):
+        native.stress.lengths(v=np.zeros(2))
+    with pytest.raises(AttributeError, match="no system 'moon'; there are .*answers"):
+        _ = native.moon
+
+
+def test_parameters_that_are_not_read_are_accepted(printed):
+    native = printed.module("native").stress
+    every = {q.name: np.full(q.shape, np.nan) for q in printed.records["stress"].parameters}
+    assert native.lengths(v=np.ones(3), **every).status == 0
+    assert native.lengths(v=np.ones(3), unread=None).status == 0
+
+
+def test_functions_are_documented(printed):
+    native, module = printed.module("native"), printed.module("bare")
+    assert native.bare.root.__doc__ == module.root.__doc__
+    assert {"bare", "stress"} <= set(dir(native))
+
+
+# -- the build ------------------------------------------------------------------------------------
+
+
+def python(printed, code, **environment):
+    """Run code in a fresh interpreter that sees the printed package."""
+    paths = [str(printed.folder / "python")]
+    given = {**os.environ, "PYTHONPATH": os.pathsep.join(paths), **environment}
+    return subprocess.run(
+        [sys.executable, "-c", code], env=given, capture_output=True, text=True, check=False
+    )
+
+
+CALL = "from printed_kernels import native; print(native.bare.root(x=4.0).r)"
+
+
+@pytest.fixture
+def small(printed, tmp_path):
+    """A copy with one system's C, so that a build takes no time."""
+    from dataclasses import replace
+
+    from tests.targets.conftest import print_all
+
+    made = print_all(tmp_path / "small", replace(printed.target), {"bare": SYSTEMS["bare"]()})
+    return made
+
+
+def test_a_build_is_kept_and_used_again(small, tmp_path):
+    cache = tmp_path / "cache"
+    for _ in range(2):
+        done = python(small, CALL, XDG_CACHE_HOME=str(cache))
+        assert done.stdout == "2.0\n", done.stderr
+        (library,) = (cache / "armillary").iterdir()
+        os.utime(library, (1, 1))
+    assert library.stat().st_mtime == 1
+    assert library.name.startswith("kernels-")
+
+
+def test_changed_sources_are_built_anew(small, tmp_path):
+    cache = tmp_path / "cache"
+    python(small, CALL, XDG_CACHE_HOME=str(cache))
+    source = small.c / "bare_root_f64.c"
+    source.write_text(source.read_text().replace("*r = r_value", "*r = 7.0 * r_value"))
+    text = source.read_text()
+    source.write_text(text.replace("sqrt(x)", "(7.0 * sqrt(x))"))
+    assert python(small, CALL, XDG_CACHE_HOME=str(cache)).stdout == "14.0\n"
+    assert len(list((cache / "armillary").iterdir())) == 2
+
+
+def test_a_build_that_failed_leaves_nothing_and_tells_what_the_compiler_said(small, tmp_path):
+    (small.c / "bare_root_f64.c").write_text("this is not C\n")
+    cache = tmp_path / "cache"
+    done = python(small, CALL, XDG_CACHE_HOME=str(cache))
+    assert "NoCompilerError" in done.stderr
+    assert "bare_root_f64.c:1" in done.stderr
+    assert list((cache / "armillary").iterdir()) == []
+
+
+def test_a_compiler_that_is_not_there_is_named(small, tmp_path):
+    done = python(small, CALL, XDG_CACHE_HOME=str(tmp_path), CC="no-such-cc -O1")
+    assert "NoCompilerError: CC=no-such-cc -O1 is not there: install gcc or clang" in done.stderr
+
+
+def test_without_a_compiler_everything_else_works(small, tmp_path):
+    environment = {"XDG_CACHE_HOME": str(tmp_path), "PATH": str(tmp_path), "CC": ""}
+    done = python(small, CALL, **environment)
+    assert "NoCompilerError: no C compiler (cc, gcc or clang) was found: install" in done.stderr
+    other = "from printed_kernels import bare, native; print(bare.root(x=4.0).r)"
+    assert python(small, other, **environment).stdout == "2.0\n"
+
+
+@needs("clang")
+def test_cc_chooses_the_compiler(small, tmp_path):
+    done = python(small, CALL, XDG_CACHE_HOME=str(tmp_path), CC="clang -O1")
+    assert done.stdout == "2.0\n", done.stderr
