@@ -1,0 +1,52 @@
+"""The cost that a header states is what the code performs: counted by running it."""
+
+from armillary.program.cost import cost
+from armillary.program.program import Op
+from armillary.program.sample import sample_points
+from armillary.targets.c import function_name, params_type
+from benchmarks.count.count import run_source
+
+
+def test_stated_cost_is_what_runs(printed):
+    checked = 0
+    for (system, name), made in printed.compiled.items():
+        program, kernel = made.program, made.program.kernel
+        target = printed.target.c
+        source = printed.c / f"{system}_{name}_f64.c"
+        text = f'#include "{system}.h"\n' + source.read_text().replace(f'#include "{system}.h"', "")
+        point = sample_points(kernel, 1)[0]
+        values, arguments, setup = [], [], ""
+        if kernel.parameters:
+            setup = f"{params_type(system, target, 'f64')} p = {{}}; "
+            arguments.append("&p")
+            for q in kernel.parameters:
+                for k in range(3 if q.shape else 1):
+                    field = f"{q.name}[{k}]" if q.shape else q.name
+                    setup += f"p.{field} = in[{len(values)}]; "
+                    values.append(float(point[q.name][k] if q.shape else point[q.name]))
+        for q in kernel.inputs:
+            arguments.append(f"in + {len(values)}" if q.shape else f"in[{len(values)}]")
+            values += [float(x) for x in (point[q.name] if q.shape else [point[q.name]])]
+        place = 0
+        for result in program.results:
+            arguments.append(f"out + {place}")
+            place += len(result.entries)
+        symbol = function_name(kernel, target, "f64")
+        call = f"{setup}if ({symbol}({', '.join(arguments)}) < 0) std::abort();"
+        (run,) = run_source(text, call, [values], place, [printed.c])
+        stated = cost(program)
+        # A unit vector's guard squares and sums: guards are apart in the stated cost.
+        units = sum(guard.norm for guard in program.guards)
+        found = run.counts
+        counted = (found.add - 3 * units, found.mul - 3 * units, found.div, found.sqrt)
+        wanted = (stated.add, stated.multiply, stated.divide, stated.sqrt)
+        trigonometry = (found.trig, found.inverse)
+        if any(i.op is Op.SELECT for i in program.instructions):
+            # The side of a ?: that is not taken does not run.
+            assert all(a <= b for a, b in zip(counted, wanted, strict=True)), symbol
+        else:
+            assert counted == wanted, symbol
+            assert trigonometry == (stated.trigonometry, stated.inverse), symbol
+        assert found.pow == 0
+        checked += 1
+    assert checked >= 35
