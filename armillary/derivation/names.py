@@ -21,10 +21,10 @@ _MACROS = """I complex imaginary F B0 PI HALF_PI TWO_PI DEG_TO_RAD RAD_TO_DEG EU
 OUTPUT min max abs round constrain radians degrees sq bit byte word boolean interrupts
 noInterrupts DEFAULT EXTERNAL INTERNAL SERIAL DISPLAY SP SPL SPH SREG PINA PINB PINC PIND DDRA DDRB
 DDRC DDRD PORTA PORTB PORTC PORTD A0 A1 A2 A3 A4 A5 A6 A7 M_PI M_E NAN INFINITY errno signals slots
-emit"""
+emit unix linux"""
 _LIBM = """sin cos tan asin acos atan atan2 sqrt fabs sinf cosf tanf asinf acosf atan2f sqrtf fabsf
 j0 j1 jn y0 y1 yn gamma_r lgamma tgamma signgam exp log pow floor ceil fmod div time index"""
-_OURS = "status p ctx xp np batch ok"
+_OURS = "status p ctx xp np batch ok call Call"
 
 RESERVED = {
     **dict.fromkeys(keyword.kwlist, "a Python keyword"),

@@ -176,6 +176,7 @@ class Derivation(Quantities):
             source,
         )
         self._check_reach(made)
+        _check_arguments(made)
         self.kernels[name] = made
 
     def assume(self, sentence: str) -> None:
@@ -336,6 +337,18 @@ class Derivation(Quantities):
                         f"add {leaf.name} to inputs=",
                         kernel.source,
                     )
+
+
+def _check_arguments(kernel: Kernel) -> None:
+    """Two arguments may not print as one name: a vector `v` prints as v_x, v_y and v_z too."""
+    names = kernel.argument_names()
+    twice = next((name for k, name in enumerate(names) if name in names[:k]), None)
+    if twice is not None:
+        raise DerivationError(
+            f"kernel {kernel.name} has two arguments that print as {twice}",
+            "rename one of them; the components of a vector v print as v_x, v_y, v_z",
+            kernel.source,
+        )
 
 
 class Used:

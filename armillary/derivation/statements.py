@@ -88,8 +88,20 @@ class Kernel:
 
     def result_argument(self, name: str) -> str:
         """A result's name where results stand beside inputs: `v_out` if an input is named `v`."""
-        taken = {q.name for q in self.inputs}
-        return f"{name}_out" if name in taken else name
+        taken = set(self.argument_names())
+        if name in taken:
+            taken |= {o.name for o in self.outputs}
+        while name in taken:
+            name += "_out"
+        return name
+
+    def argument_names(self) -> list[str]:
+        """The names that inputs and parameters take in printed code, vectors by component too."""
+        return [
+            name
+            for q in (*self.inputs, *self.parameters)
+            for name in (q.name, *(f"{q.name}_{axis}" for axis in "xyz" if q.shape))
+        ]
 
 
 @dataclass(frozen=True, eq=False)

@@ -74,7 +74,12 @@ NEWTON = _unit(kg=1, m=1, s=-2)
 NEWTON_METRE = _unit(kg=1, m=2, s=-2)
 WATT = _unit(kg=1, m=2, s=-3)
 PASCAL = _unit(kg=1, m=-1, s=-2)
-_DERIVED = {"N": NEWTON.powers, "W": WATT.powers, "Pa": PASCAL.powers}
+_DERIVED = {
+    "N": NEWTON.powers,
+    "N*m": NEWTON_METRE.powers,
+    "W": WATT.powers,
+    "Pa": PASCAL.powers,
+}
 
 
 class UnitError(Exception):

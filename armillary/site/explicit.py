@@ -28,7 +28,9 @@ LONG = 160
 # A written-out form with more operations than this helps nobody.
 _TOO_MANY = 400
 # What LaTeX needs and a reader does not see.
-_UNSEEN = re.compile(r"\\(left|right|boldsymbol|mathbf|mathrm|text|dot|frac|sqrt)(?![A-Za-z])|[{}\\,]")
+_UNSEEN = re.compile(
+    r"\\(left|right|boldsymbol|mathbf|mathrm|text|dot|frac|sqrt)(?![A-Za-z])|[{}\\,]"
+)
 
 
 @dataclass(frozen=True)
@@ -77,7 +79,7 @@ class PageForm(Explicit):
         return self._symbol(number_latex(value))
 
 
-class Printer(LatexPrinter):  # type: ignore[misc]
+class Printer(LatexPrinter):
     """LaTeX with c and s for the cosine and sine of a plain angle."""
 
     def __init__(self) -> None:
@@ -151,9 +153,7 @@ def written_out(notation: Notation, definition: Definition) -> WrittenOut | None
     return WrittenOut(Formula(f"{name} = {body}"), tuple(entries), frozenset(printer.compact))
 
 
-def _matrix(
-    name: str, matrix: sympy.MatrixBase, printer: Printer
-) -> tuple[str, list[Formula]]:
+def _matrix(name: str, matrix: sympy.MatrixBase, printer: Printer) -> tuple[str, list[Formula]]:
     """A matrix with its long entries named, and those entries."""
     rows: list[list[str]] = []
     entries: list[Formula] = []
@@ -163,7 +163,9 @@ def _matrix(
         for j in range(matrix.cols):
             latex = printer.doprint(_shortest(matrix[i, j]))
             if visible_length(latex) > LONGEST_ENTRY:
-                index = "xyz"[i] if column and matrix.rows == 3 else f"{i + 1}{'' if column else j + 1}"
+                index = (
+                    "xyz"[i] if column and matrix.rows == 3 else f"{i + 1}{'' if column else j + 1}"
+                )
                 entry = subscripted(name, index)
                 entries.append(Formula(f"{entry} = {latex}"))
                 latex = entry

@@ -15,7 +15,7 @@ from armillary.derivation.quantity import Constant, Quantity, Rate
 from armillary.derivation.statements import Picture
 from armillary.derivation.symbols import leaves
 from armillary.derivation.units import RADIAN
-from armillary.mechanism.chain import X, Y, Z, Shift, Turn
+from armillary.mechanism.chain import Shift, Turn, X, Y, Z
 from armillary.site.notation import Notation
 from armillary.site.svg import Drawing, Point2, plain
 
@@ -72,10 +72,7 @@ class Posed:
         return np.array([self._number(step.offset[k]) for k in range(3)])
 
     def _number(self, node: Scalar) -> float:
-        given = {
-            sympy.Symbol(leaf.name, real=True): self._given(leaf)
-            for leaf in leaves(node)
-        }
+        given = {sympy.Symbol(leaf.name, real=True): self._given(leaf) for leaf in leaves(node)}
         return float(Explicit()(node).subs(given))
 
     def _given(self, leaf: object) -> sympy.Expr:
@@ -163,9 +160,7 @@ def _joint(posed: Posed, k: int, step: Turn, radius: float) -> None:
     posed.drawing.circle(posed.paper(place.origin), 6, "joint")
 
 
-def _arc(
-    posed: Posed, place: Place, step: Turn, angle: float, shown: int, radius: float
-) -> None:
+def _arc(posed: Posed, place: Place, step: Turn, angle: float, shown: int, radius: float) -> None:
     """The way of one axis of a frame while a joint turns, with the joint's angle beside it."""
     arm = np.eye(3)[:, shown] * radius
     steps = [place.axes @ turning(step.axis, t * angle) @ arm for t in np.linspace(0, 1, 33)]
@@ -191,9 +186,7 @@ def _collector(posed: Posed, sun: int) -> None:
     place, half = posed.last, 0.17 * posed.size
     one, two = (place.axes[:, (sun + k) % 3] * half for k in (1, 2))
     corners = [one + two, one - two, -one - two, -one + two]
-    posed.drawing.path(
-        [posed.paper(place.origin + c) for c in corners], "joint", closed=True
-    )
+    posed.drawing.path([posed.paper(place.origin + c) for c in corners], "joint", closed=True)
     _sun(posed, place.origin, place.axes[:, sun], 0.75 * posed.size)
 
 
@@ -253,9 +246,7 @@ def _daily_circle(posed: Posed, k: int, step: Turn, pointed: int) -> None:
 def _axes(posed: Posed, place: Place, length: float, names: tuple[str, str, str]) -> None:
     for k, (kind, name) in enumerate(zip(_KINDS, names, strict=True)):
         arm = length * place.axes[:, k]
-        posed.drawing.arrow(
-            posed.paper(place.origin), posed.paper(place.origin + arm), kind
-        )
+        posed.drawing.arrow(posed.paper(place.origin), posed.paper(place.origin + arm), kind)
         posed.drawing.text(_beside(posed, place.origin, arm), name, kind)
 
 
@@ -263,5 +254,3 @@ def _circle(posed: Posed, centre: Array, plane: Array, radius: float, kind: str)
     turns = np.linspace(0, 2 * np.pi, 73)
     points = [centre + radius * (plane @ np.array([np.cos(t), np.sin(t)])) for t in turns]
     posed.drawing.path([posed.paper(p) for p in points], kind, closed=True)
-
-

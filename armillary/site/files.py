@@ -9,6 +9,7 @@ from pathlib import Path
 from armillary.derivation.load import load_all
 from armillary.derivation.record import Derivation
 from armillary.site.facts import read_facts
+from armillary.site.measured import measured_plots
 from armillary.site.pages import index_page, system_page
 from armillary.site.references import read_references
 
@@ -26,7 +27,9 @@ def write_pages(root: Path, docs: Path) -> dict[str, Derivation]:
     facts, references = read_facts(root), read_references(root)
     texts = {"index.md": index_page(derivations.values())}
     for name, derivation in derivations.items():
-        texts[f"{name}.md"] = system_page(derivation, facts, references)
+        texts[f"{name}.md"] = system_page(
+            derivation, facts, references, measured_plots(root, name, facts)
+        )
     replace_folder(docs / FOLDER, texts)
     return derivations
 

@@ -61,7 +61,7 @@ def same(left: s.Scalar, right: s.Scalar) -> bool:
     if isinstance(left, s.Component) and isinstance(right, s.Component):
         return left.vector is right.vector and left.index == right.index
     if isinstance(left, (s.Sine, s.Cosine)) and type(left) is type(right):
-        return left.argument is right.argument  # type: ignore[attr-defined]
+        return left.argument is right.argument
     return False
 
 

@@ -1,7 +1,7 @@
 """Marks in hand-written pages, so that they need not repeat what a derivation says.
 
-    <!-- armillary: picture altazimuth -->      the first picture of a system
-    <!-- armillary: statuses -->                the table of statuses
+<!-- armillary: picture altazimuth -->      the first picture of a system
+<!-- armillary: statuses -->                the table of statuses
 """
 
 from __future__ import annotations

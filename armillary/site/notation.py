@@ -15,6 +15,7 @@ from armillary.derivation.naming import latex_name
 from armillary.derivation.quantity import Constant, Quantity, VectorQuantity
 from armillary.derivation.record import Derivation
 from armillary.derivation.statements import Definition
+from armillary.site.svg import LETTERS
 
 Reference = s.ScalarReference | s.ConditionReference | v.VectorReference | RotationReference
 REFERENCES = (s.ScalarReference, s.ConditionReference, v.VectorReference, RotationReference)
@@ -30,12 +31,6 @@ _PARTS = {
 }
 _SUBSCRIPT = re.compile(r"(?P<base>.*)_(?:\{(?P<group>(?:[^{}]|\{[^{}]*\})*)\}|(?P<one>\\?\w+))\Z")
 _WORD = re.compile(r"(?<![\\A-Za-z])[A-Za-z]{2,}(?![A-Za-z])")
-_GREEK = frozenset(
-    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau "
-    "upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega".split()
-)
-
-
 
 
 class Notation:
@@ -89,8 +84,8 @@ def definition_latex(definition: Definition) -> str:
 
 
 def _pretty(name: str, bold: bool) -> str:
-    base, _, rest = name.partition("_")
-    if len(base) > 1 and base not in _GREEK:
+    base = name.partition("_")[0]
+    if len(base) > 1 and base not in LETTERS:
         return rf"\text{{{name.replace('_', ' ')}}}"
     latex = upright(latex_name(name))
     return _bold(latex) if bold else latex

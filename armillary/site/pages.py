@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -15,8 +15,10 @@ from armillary.site.facts import Facts
 from armillary.site.figures import picture_svg
 from armillary.site.kernels import cards
 from armillary.site.notation import Notation
+from armillary.site.plot import plot_svg
 from armillary.site.references import Reference, reference_of
 from armillary.site.steps import Claim, claim, notation_rows, steps
+from armillary.verify.curves import Plot
 
 _TEMPLATES = Path(__file__).parent / "templates"
 _WORDS = {"pass": "holds", "fail": "fails", "skip": "not checked"}
@@ -45,7 +47,10 @@ class Proved:
 
 
 def system_page(
-    derivation: Derivation, facts: Facts, references: dict[str, Reference]
+    derivation: Derivation,
+    facts: Facts,
+    references: dict[str, Reference],
+    plots: Sequence[Plot] = (),
 ) -> str:
     """The page of one system.
 
@@ -62,7 +67,7 @@ def system_page(
         name=derivation.name,
         title=derivation.title,
         summary=derivation.summary,
-        figures=figures(derivation, notation),
+        figures=[*figures(derivation, notation), *plotted(derivation, plots)],
         assumptions=derivation.assumptions,
         rows=notation_rows(derivation),
         compact=next((a for s in found for a in sorted(s.compact)), "") if shortened else "",
@@ -83,6 +88,15 @@ def figures(derivation: Derivation, notation: Notation) -> list[Figure]:
         identifier = f"fig-{derivation.name}-{k}"
         svg = picture_svg(picture, notation, identifier)
         made.append(Figure(identifier, svg, picture.caption))
+    return made
+
+
+def plotted(derivation: Derivation, plots: Sequence[Plot]) -> list[Figure]:
+    """The plots of a system."""
+    made = []
+    for k, plot in enumerate(plots, 1):
+        identifier = f"plot-{derivation.name}-{k}"
+        made.append(Figure(identifier, plot_svg(plot, identifier), plot.caption))
     return made
 
 

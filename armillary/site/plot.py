@@ -3,52 +3,34 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
 
 from armillary.site.svg import Drawing, Point2
+from armillary.verify.curves import Plot
 
 _WIDTH, _HEIGHT = 520.0, 260.0
+Place = Callable[[float, float], Point2]
 
 
-@dataclass(frozen=True)
-class Curve:
-    """One line of a plot: its name, and its points from left to right."""
-
-    name: str
-    x: Sequence[float]
-    y: Sequence[float]
-
-
-def plot_svg(
-    curves: Sequence[Curve], across: str, up: str, identifier: str, title: str
-) -> str:
-    """A plot of curves that share both axes.
-
-    Args:
-        across: label of the horizontal axis.
-        up: label of the vertical axis.
-    """
-    x = ticks(min(min(c.x) for c in curves), max(max(c.x) for c in curves))
+def plot_svg(plot: Plot, identifier: str) -> str:
+    """A plot as SVG."""
+    curves = plot.curves
+    left, right = min(min(c.x) for c in curves), max(max(c.x) for c in curves)
     y = ticks(min(min(c.y) for c in curves), max(max(c.y) for c in curves))
     drawing = Drawing()
-    left, right = min(min(c.x) for c in curves), max(max(c.x) for c in curves)
 
     def place(a: float, b: float) -> Point2:
-        return (
-            (a - left) / (right - left) * _WIDTH,
-            (y[-1] - b) / (y[-1] - y[0]) * _HEIGHT,
-        )
+        return ((a - left) / (right - left) * _WIDTH, (y[-1] - b) / (y[-1] - y[0]) * _HEIGHT)
 
-    _grid(drawing, [t for t in x if left <= t <= right], y, place)
+    _grid(drawing, [t for t in ticks(left, right) if left <= t <= right], y, place)
     for k, curve in enumerate(curves, 1):
         points = [place(a, b) for a, b in zip(curve.x, curve.y, strict=True)]
         drawing.path(points, f"curve-{k}")
     drawing.path([(0, 0), (_WIDTH, 0), (_WIDTH, _HEIGHT), (0, _HEIGHT)], "frame", closed=True)
-    drawing.text((_WIDTH / 2, _HEIGHT + 42), across)
-    drawing.text((0, -12), up, anchor="start")
+    drawing.text((_WIDTH / 2, _HEIGHT + 42), plot.across)
+    drawing.text((0, -12), plot.up, anchor="start")
     _legend(drawing, [c.name for c in curves])
-    return drawing.svg(identifier, title)
+    return drawing.svg(identifier, plot.caption)
 
 
 def ticks(low: float, high: float, about: int = 6) -> list[float]:
@@ -61,8 +43,7 @@ def ticks(low: float, high: float, about: int = 6) -> list[float]:
     return [round(k * step, 12) for k in range(first, last + 1)]
 
 
-def _grid(drawing: Drawing, x: list[float], y: list[float], place: object) -> None:
-    assert callable(place)
+def _grid(drawing: Drawing, x: list[float], y: list[float], place: Place) -> None:
     for value in y:
         _, height = place(0.0, value)
         drawing.line((0, height), (_WIDTH, height), "grid")

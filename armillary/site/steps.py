@@ -166,9 +166,7 @@ def steps(derivation: Derivation, notation: Notation) -> Iterator[Step]:
         )
 
 
-def _links(
-    derivation: Derivation, notation: Notation, definition: Definition
-) -> Iterator[Link]:
+def _links(derivation: Derivation, notation: Notation, definition: Definition) -> Iterator[Link]:
     for reference in references_in(definition.expression):
         found = notation.definitions.get(reference.identifier)
         if found is not None:

@@ -102,7 +102,9 @@ class Structure:
     def _(self, node: s.Divide) -> Text:
         top, below = node.numerator, self(node.denominator)
         if isinstance(top, s.Divide):  # one fraction instead of a fraction of fractions
-            inner, outer = (self.inside(n, Level.FUNCTION) for n in (top.denominator, node.denominator))
+            inner, outer = (
+                self.inside(n, Level.FUNCTION) for n in (top.denominator, node.denominator)
+            )
             below = f"{{{inner}}}^2" if inner == outer else rf"{inner}\,{outer}"
             top = top.numerator
         return rf"\frac{{{self(top)}}}{{{below}}}", Level.PRODUCT
@@ -148,10 +150,11 @@ class Structure:
         angle = full_turn_of(node)
         if angle is not None:
             return rf"{self.inside(angle, Level.ATOM)} \bmod 2 \pi", Level.SUM
-        rows, rest = [], node
+        rows: list[list[str]] = []
+        rest: s.Scalar = node
         while isinstance(rest, s.Select):
             rows.append([self(rest.then), rf"\text{{if }} {self(rest.condition)}"])
-            rest = rest.otherwise  # type: ignore[assignment]
+            rest = rest.otherwise
         rows.append([self(rest), r"\text{otherwise}"])
         return array("cases", rows), Level.ATOM
 

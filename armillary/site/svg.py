@@ -8,19 +8,20 @@ from html import escape
 
 Point2 = tuple[float, float]
 
-_LETTERS = {
+LETTERS = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ",
-    "eta": "η", "theta": "θ", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν", "xi": "ξ",
-    "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "upsilon": "υ", "phi": "φ", "varphi": "φ",
+    "eta": "η", "theta": "θ", "iota": "ι", "kappa": "κ", "lambda": "λ", "mu": "μ", "nu": "ν",
+    "xi": "ξ", "pi": "π", "rho": "ρ", "sigma": "σ", "tau": "τ", "upsilon": "υ", "phi": "φ",
     "chi": "χ", "psi": "ψ", "omega": "ω", "Gamma": "Γ", "Delta": "Δ", "Theta": "Θ",
-    "Lambda": "Λ", "Phi": "Φ", "Psi": "Ψ", "Omega": "Ω", "vartheta": "ϑ",
+    "Lambda": "Λ", "Xi": "Ξ", "Pi": "Π", "Sigma": "Σ", "Upsilon": "Υ", "Phi": "Φ", "Psi": "Ψ",
+    "Omega": "Ω", "varphi": "φ", "vartheta": "ϑ",
 }  # fmt: skip
 _LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
 def plain(latex: str) -> str:
     """A short LaTeX name as plain text: `L_{0}` is L₀."""
-    text = re.sub(r"\\(\w+?)(?![A-Za-z])", lambda m: _LETTERS.get(m[1], ""), latex)
+    text = re.sub(r"\\(\w+?)(?![A-Za-z])", lambda m: LETTERS.get(m[1], ""), latex)
     text = re.sub(r"_\{?(\d+)\}?", lambda m: m[1].translate(_LOW), text)
     return text.replace("{", "").replace("}", "").replace("_", " ").strip()
 
@@ -87,9 +88,9 @@ class Drawing:
 
     def text(self, at: Point2, words: str, kind: str = "", anchor: str = "middle") -> None:
         """A label."""
-        width = 8.5 * len(words)
+        width = 9.5 * len(words)
         left = {"start": 0.0, "middle": -width / 2, "end": -width}[anchor]
-        self._met([(at[0] + left, at[1] - 13), (at[0] + left + width, at[1] + 5)])
+        self._met([(at[0] + left, at[1] - 18), (at[0] + left + width, at[1] + 6)])
         self._elements.append(
             f'<text class="{("label " + kind).strip()}" x="{number(at[0])}" y="{number(at[1])}" '
             f'text-anchor="{anchor}">{escape(words)}</text>'

@@ -78,7 +78,11 @@ def function_body(program: Program, language: C) -> list[str]:
     """
     kernel = program.kernel
     quantities = (*kernel.inputs, *kernel.parameters)
-    taken = {q.name for q in quantities} | {kernel.result_argument(o.name) for o in kernel.outputs} | {"p", "status"}
+    taken = (
+        {q.name for q in quantities}
+        | {kernel.result_argument(o.name) for o in kernel.outputs}
+        | {"p", "status"}
+    )
     taken |= {f"{q.name}_{axis}" for q in quantities if q.shape for axis in "xyz"}
     tests = []
     for guard in program.guards:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from pprint import pformat
 
+from armillary.derivation.errors import DerivationError
 from armillary.derivation.fingerprint import definition_digest, kernel_definitions
 from armillary.derivation.record import Derivation
 from armillary.derivation.statements import Kernel
@@ -70,6 +71,12 @@ def render_system(
     progress: Callable[[Kernel], None] = lambda kernel: None,
 ) -> Rendered:
     """Compile and print every kernel of a system."""
+    if derivation.name == "native":
+        raise DerivationError(
+            "a system may not be named native: the compiled kernels are imported by that name",
+            "rename the system and its folder",
+            derivation.source,
+        )
     compiled: dict[str, Compiled] = {}
     for name, kernel in derivation.kernels.items():
         progress(kernel)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from decimal import Decimal
 from fractions import Fraction
 
 import mpmath
@@ -87,12 +88,13 @@ def shortest(value: sympy.Expr | Fraction | float, precision: Precision) -> str:
 
 
 def _written(number: float) -> str:
-    """Plain up to a few zeros, else with an exponent: 86400.0, 0.001, 1.0e6, 1.0e-7."""
-    text = repr(number)
-    exact = Decimal(text)
+    """Plain where that is not much longer, else with an exponent: 86400.0, 0.001, 1.0e6, 1.0e-7."""
+    exact = Decimal(repr(number)).normalize()
+    if exact == 0:
+        return "0.0"
     plain = f"{exact:f}"
-    plain = plain if "." in plain else plain + ".0"
-    sign, digits, _ = exact.normalize().as_tuple()
-    first, rest = str(digits[0]), "".join(map(str, digits[1:])) or "0"
-    scaled = f"{'-' * sign}{first}.{rest}e{exact.adjusted()}"
-    return plain if abs(exact) >= _SMALL or not exact else scaled if len(plain) > 2 else plain
+    plain = plain if "." in plain else f"{plain}.0"
+    sign, digits, _ = exact.as_tuple()
+    rest = "".join(map(str, digits[1:])) or "0"
+    scaled = f"{'-' * sign}{digits[0]}.{rest}e{exact.adjusted()}"
+    return plain if len(plain) <= len(scaled) + 1 else scaled

@@ -177,7 +177,7 @@ def _simulation(root: Path, package: str, record: Derivation) -> Iterator[Found]
     if not path.is_file():
         return
     try:
-        module = _module_of(path)
+        module = simulation_module(path)
         kernels = generated_module(root / "generated" / "python", package, record.name)
         yield from module.checks(kernels)
     except EngineMissing as missing:
@@ -187,7 +187,8 @@ def _simulation(root: Path, package: str, record: Derivation) -> Iterator[Found]
         yield Measured("simulation", "simulation.py", None, 0, float("nan"), 0.0, {}, text)
 
 
-def _module_of(path: Path) -> Any:
+def simulation_module(path: Path) -> Any:
+    """A `simulation.py`, loaded."""
     spec = spec_from_file_location(f"_armillary_simulation_{path.parent.name}", path)
     assert spec is not None
     assert spec.loader is not None

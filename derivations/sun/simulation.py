@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from armillary.verify.curves import Curve, Plot
 from armillary.verify.engines import need
 from armillary.verify.measured import compare
 
@@ -400,4 +401,27 @@ def almanac_checks(kernels):
         1e-13,
         {"day": days},
         "spencer",
+    )
+
+
+def plots(kernels):
+    """The almanacs' errors through one year."""
+    spa = need("pvlib.spa")
+    day = np.arange(1.0, 366.0, 2.0)
+    start = np.datetime64("2025-01-01", "s").astype(float)
+    setting = (0.0, 0.0, 0.0, 1010.0, 10.0, DELTA_T, ATMOSPHERE, 1)
+    truth = spa.solar_position_numpy(start + 86400 * (day - 1), *setting, sst=True)[2]
+    almanacs = (
+        ("Cooper", kernels.cooper(day=day).declination),
+        ("cosine", kernels.cosine(day=day).declination),
+        ("Spencer", kernels.spencer(day=day).declination),
+    )
+    yield Plot(
+        "Declination by the almanacs less that of the NREL SPA, through the year 2025.",
+        "day of the year",
+        "error, degrees",
+        tuple(
+            Curve(name, day.tolist(), np.round(np.degrees(found) - truth, 6).tolist())
+            for name, found in almanacs
+        ),
     )

@@ -49,6 +49,7 @@ SCALAR_RULES = {
     "azimuth": direction_angles(turned)[0],
     "elevation": direction_angles(turned)[1],
     "azimuth of a unit vector": direction_angles(unit(turned))[0],
+    "elevation of a sum": direction_angles(turned + c)[1],
     "elevation of a unit vector": direction_angles(unit(turned))[1],
 }
 VECTOR_RULES = {

@@ -99,8 +99,8 @@ def names() -> Derivation:
     step = d.parameter.length("step", "an offset")
     S_x = d.define("S_x", t1 * S.x + 1, because=BECAUSE)
     v_y = d.define("v_y", S_x * v.y, because=BECAUSE)
-    Call = d.define("Call", v_y * v_y + t1, because=BECAUSE)
-    hypotenuse = d.define("hypot", sqrt(Call * Call + 1), because=BECAUSE)
+    squared = d.define("Any", v_y * v_y + t1, because=BECAUSE)
+    hypotenuse = d.define("hypot", sqrt(squared * squared + 1), because=BECAUSE)
     tanh = d.define("tanh", hypotenuse * sin(turn * t1), because=BECAUSE)
     all_result = d.define("AllResult", tanh / hypotenuse + tanh, because=BECAUSE)
     chain = Chain("ground")
@@ -115,10 +115,16 @@ def names() -> Derivation:
         "all",
         inputs=[t1, turn, long, v],
         outputs={
-            "out": S_x + v_y * Call + all_result,
+            "out": S_x + v_y * squared + all_result,
             f"{LONG}_again": longer,
             f"{LONG}_squared": (long + turn) * (long - turn) * cos(long + turn) * S.y * S.z * tanh,
         },
+    )
+    d.kernel(
+        "same",
+        inputs=[v],
+        outputs={"v": v + S, "S": v.x, "step": step * v.z, "v_out": v.y * S.x, "S_y": S.y},
+        summary="Results named like inputs, parameters and their components.",
     )
     return d
 

@@ -4,10 +4,12 @@ import re
 
 import pytest
 
+from armillary import Derivation
+from armillary.derivation.errors import DerivationError
 from armillary.derivation.status import MEANINGS, Status
-from armillary.targets.files import Target
+from armillary.targets.files import Target, render_system
 from tests.targets.compilers import WARNINGS, needs, run
-from tests.targets.conftest import print_all
+from tests.targets.conftest import TARGET, print_all
 from tests.targets.stress import LONG, SYSTEMS, answers, bare, stress
 
 FORBIDDEN = r"\b(malloc|free|static|goto|errno|restrict|alloca|printf|long double|pow|extern int)\b"
@@ -87,6 +89,26 @@ def test_status_numbers_never_change(printed):
         "NOT_FINITE": -1, "OUT_OF_RANGE": -2, "UNREACHABLE": -3, "NOT_CONVERGED": -4,
     }  # fmt: skip
     assert set(MEANINGS) == set(Status)
+
+
+def test_results_step_aside_for_arguments_of_the_same_name(printed):
+    flat = " ".join(texts(printed)["names.h"].split())
+    assert (
+        "int names_same_f32( const names_params_f32 *p, const float v[3], float v_out_out[3], "
+        "float *S_out, float *step_out, float *v_out, float *S_y_out);"
+    ) in flat
+
+
+def test_arguments_that_would_print_as_one_name_are_refused():
+    d = Derivation("clash", title="Clash")
+    v, v_x = d.vector("v", "a vector"), d.scalar("v_x", "a number")
+    with pytest.raises(DerivationError, match="two arguments that print as v_x"):
+        d.kernel("k", inputs=[v, v_x], outputs={"r": v.x + v_x})
+
+
+def test_a_system_may_not_take_the_name_of_a_module():
+    with pytest.raises(DerivationError, match="may not be named native"):
+        render_system(Derivation("native", title="Native"), TARGET)
 
 
 def test_long_names_survive(printed):

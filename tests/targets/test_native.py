@@ -9,9 +9,9 @@ import pytest
 
 from armillary.derivation.load import names
 from tests.targets.compilers import needs
-from tests.targets.conftest import DERIVATIONS
-from tests.targets.reference import agree, answers, points, spoilt
-from tests.targets.stress import SYSTEMS
+from tests.targets.conftest import DERIVATIONS, TARGET, print_all
+from tests.targets.reference import ROUNDINGS, agree, answers, points, spoilt
+from tests.targets.stress import SYSTEMS, bare
 
 pytestmark = [pytest.mark.tool, needs("gcc")]
 POINTS = 40
@@ -36,19 +36,17 @@ def test_native_equals_the_evaluator_and_python(printed, system, dtype):
             agree(program, found, answers(program, inputs, 1), kind)
             assert np.array_equal(found.status, like.status)
             assert found._fields == like._fields
-            for a, b in zip(found, like, strict=True):
+            for a, b in zip(found[:-1], like[:-1], strict=True):
                 assert a.dtype == b.dtype
                 assert a.shape == b.shape
                 _near(a, b, program.name)
 
 
 def _near(a, b, name):
-    """Two libms apart, and not more."""
-    a, b = np.asarray(a, np.float64), np.asarray(b, np.float64)
-    assert np.array_equal(np.isnan(a), np.isnan(b)), name
-    scale = max(1.0, float(np.nanmax(np.abs(a), initial=1.0)))
-    epsilon = np.finfo(np.float32 if a.dtype == np.float32 else np.float64).eps
-    del epsilon, scale
+    """Both are near the exact results, so they are as near each other."""
+    epsilon = float(np.finfo(a.dtype).eps)
+    scale = max(1.0, float(np.nanmax(np.abs(b), initial=1.0)))
+    assert np.allclose(a, b, rtol=0, atol=2 * ROUNDINGS * epsilon * scale, equal_nan=True), name
 
 
 @system
@@ -105,7 +103,7 @@ def test_wrong_arguments_are_named(printed):
         native.answers.both_signs(x=1.0, y=1.0, z=1.0)
     with pytest.raises(ValueError, match="v is a vector"):
         native.stress.lengths(v=np.zeros(2))
-    with pytest.raises(AttributeError, match="no system 'moon'; there are .*answers"):
+    with pytest.raises(AttributeError, match=r"no system 'moon'; there are .*answers"):
         _ = native.moon
 
 
@@ -138,14 +136,9 @@ CALL = "from printed_kernels import native; print(native.bare.root(x=4.0).r)"
 
 
 @pytest.fixture
-def small(printed, tmp_path):
-    """A copy with one system's C, so that a build takes no time."""
-    from dataclasses import replace
-
-    from tests.targets.conftest import print_all
-
-    made = print_all(tmp_path / "small", replace(printed.target), {"bare": SYSTEMS["bare"]()})
-    return made
+def small(tmp_path):
+    """One system, so that a build takes no time."""
+    return print_all(tmp_path / "small", TARGET, {"bare": bare()})
 
 
 def test_a_build_is_kept_and_used_again(small, tmp_path):
@@ -163,7 +156,6 @@ def test_changed_sources_are_built_anew(small, tmp_path):
     cache = tmp_path / "cache"
     python(small, CALL, XDG_CACHE_HOME=str(cache))
     source = small.c / "bare_root_f64.c"
-    source.write_text(source.read_text().replace("*r = r_value", "*r = 7.0 * r_value"))
     text = source.read_text()
     source.write_text(text.replace("sqrt(x)", "(7.0 * sqrt(x))"))
     assert python(small, CALL, XDG_CACHE_HOME=str(cache)).stdout == "14.0\n"

@@ -12,8 +12,6 @@ from armillary.targets.numbers import F64, shortest
 from tests.targets.compilers import needs, run
 from tests.targets.reference import answers, points
 
-CALLS = {"sqrt": "Math.sqrt", "sin": "Math.sin", "cos": "Math.cos", "absolute": "Math.abs"}
-
 
 class JavaScript(Language):
     """JavaScript expressions."""

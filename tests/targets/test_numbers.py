@@ -38,13 +38,20 @@ def test_floats_read_back(x):
     assert nearest(Fraction(text), F32) == Fraction(x)
 
 
+def digits(text):
+    return len(text.lower().split("e")[0].replace(".", "").strip("-0"))
+
+
 @many
 @given(doubles)
-def test_no_double_prints_longer_than_python_does(x):
-    digits = [
-        len(t.split("e")[0].replace(".", "").strip("-0")) for t in (shortest(x, F64), repr(x))
-    ]
-    assert digits[0] <= digits[1]
+def test_no_double_has_more_digits_than_in_python(x):
+    assert digits(shortest(x, F64)) <= digits(repr(x))
+
+
+@many
+@given(singles)
+def test_no_float_has_more_digits_than_it_needs(x):
+    assert digits(shortest(x, F32)) <= min(9, digits(str(np.float32(x))) + 1)
 
 
 @many
@@ -88,6 +95,10 @@ def test_no_value_is_rounded_twice():
         (sympy.sqrt(2), "1.4142135", "1.4142135623730951"),
         (sympy.cos(sympy.pi / 7), "0.90096885", "0.9009688679024191"),
         (sympy.Integer(86400), "86400.0", "86400.0"),
+        (sympy.Integer(1000), "1000.0", "1000.0"),
+        (-sympy.Rational(27315, 100), "-273.15", "-273.15"),
+        (sympy.Rational(1, 1000), "0.001", "0.001"),
+        (sympy.Integer(10) ** 22, "1.0e22", "1.0e22"),
         (sympy.Integer(10) ** 6, "1.0e6", "1.0e6"),
         (sympy.Rational(1, 10**7), "1.0e-7", "1.0e-7"),
         (0.1, "0.1", "0.1"),

@@ -207,6 +207,12 @@ def test_parameters_that_are_not_read_are_accepted(printed):
             assert not np.any(getattr(module, name)(**given).status)
 
 
+def test_results_may_be_named_like_arguments(printed):
+    found = printed.module("names").same(v=[1.0, 2.0, 3.0], S=[0.5, 0.25, 0.0], step=2.0)
+    assert found._fields == ("v", "S", "step", "v_out", "S_y", "status")
+    assert [np.asarray(x).tolist() for x in found] == [[1.5, 2.25, 3.0], 1.0, 6.0, 1.0, 0.25, 0]
+
+
 def test_a_named_tuple_says_its_results(printed):
     found = printed.module("answers").both_signs(x=0.5, y=0.5)
     assert found._fields == ("root", "a", "status")

@@ -1,1 +1,1 @@
-"""The MkDocs theme of an Armillary site: templates, styles and scripts that ask nothing of the network."""
+"""The MkDocs theme of an Armillary site; its files ask nothing of the network."""

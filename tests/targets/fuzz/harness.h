@@ -29,8 +29,7 @@ struct kernel {
 
 static uint64_t state;
 
-static uint64_t next_bits(void)
-{
+static uint64_t next_bits(void) {
   uint64_t z = (state += 0x9E3779B97F4A7C15u);
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
   z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
@@ -39,36 +38,54 @@ static uint64_t next_bits(void)
 
 static int below(int n) { return (int)(next_bits() % (uint64_t)n); }
 
-static REAL between(REAL low, REAL high)
-{
+static REAL between(REAL low, REAL high) {
   const double part = (double)(next_bits() >> 11) / 9007199254740992.0;
   const REAL x = (REAL)((double)low + (((double)high - (double)low) * part));
   return x < low ? low : (x > high ? high : x);
 }
 
-static REAL pattern(void)
-{
+static REAL pattern(void) {
   const uint64_t bits = next_bits();
   REAL x;
   memcpy(&x, &bits, sizeof x);
   return x;
 }
 
-static REAL special(const struct quantity *q)
-{
+static REAL special(const struct quantity *q) {
   const REAL pi = (REAL)3.14159265358979323846;
-  const REAL found[] = {
-      (REAL)NAN, -(REAL)NAN, (REAL)INFINITY, -(REAL)INFINITY, (REAL)0, -(REAL)0, SMALLEST,
-      -SMALLEST, LARGEST, -LARGEST, (REAL)FLT_MIN, (REAL)1, (REAL)-1, pi / 2, -pi / 2, pi, -pi,
-      2 * pi, (REAL)1e-7, (REAL)1e-20, q->low, q->high, q->from, q->to,
-      NEXT(q->low, -(REAL)INFINITY), NEXT(q->low, (REAL)INFINITY),
-      NEXT(q->high, -(REAL)INFINITY), NEXT(q->high, (REAL)INFINITY)};
+  const REAL found[] = {(REAL)NAN,
+                        -(REAL)NAN,
+                        (REAL)INFINITY,
+                        -(REAL)INFINITY,
+                        (REAL)0,
+                        -(REAL)0,
+                        SMALLEST,
+                        -SMALLEST,
+                        LARGEST,
+                        -LARGEST,
+                        (REAL)FLT_MIN,
+                        (REAL)1,
+                        (REAL)-1,
+                        pi / 2,
+                        -pi / 2,
+                        pi,
+                        -pi,
+                        2 * pi,
+                        (REAL)1e-7,
+                        (REAL)1e-20,
+                        q->low,
+                        q->high,
+                        q->from,
+                        q->to,
+                        NEXT(q->low, -(REAL)INFINITY),
+                        NEXT(q->low, (REAL)INFINITY),
+                        NEXT(q->high, -(REAL)INFINITY),
+                        NEXT(q->high, (REAL)INFINITY)};
   return found[below((int)(sizeof found / sizeof found[0]))];
 }
 
 /* A direction, its length off by up to `off`. */
-static void direction(REAL *x, double off)
-{
+static void direction(REAL *x, double off) {
   double v[3], square;
   do {
     square = 0;
@@ -85,8 +102,7 @@ static void direction(REAL *x, double off)
 
 enum { WORKING, LEGAL, SPECIAL, WILD };
 
-static void fill(const struct quantity *q, REAL *x, int way)
-{
+static void fill(const struct quantity *q, REAL *x, int way) {
   if (q->unit && way != WILD) {
     direction(x, way == WORKING ? 0.0 : 4e-4);
     if (way == SPECIAL) {
@@ -105,15 +121,16 @@ static void fill(const struct quantity *q, REAL *x, int way)
     return;
   }
   for (int k = 0; k < q->size; k++) {
-    x[k] = way == WILD ? pattern() : way == LEGAL ? between(q->low, q->high) : between(q->from, q->to);
+    x[k] = way == WILD    ? pattern()
+           : way == LEGAL ? between(q->low, q->high)
+                          : between(q->from, q->to);
   }
   if (way == SPECIAL) {
     x[below(q->size)] = special(q);
   }
 }
 
-static void sample(const struct kernel *k, REAL *in)
-{
+static void sample(const struct kernel *k, REAL *in) {
   const int way = below(16), chosen = k->count ? below(k->count) : 0;
   for (int i = 0; i < k->count; i++) {
     const int one = way < 8    ? WORKING
@@ -127,8 +144,7 @@ static void sample(const struct kernel *k, REAL *in)
 }
 
 /* What the guards must say; `either` if a square lies too near its bound to tell. */
-static int judged(const struct kernel *k, const REAL *in, int *either)
-{
+static int judged(const struct kernel *k, const REAL *in, int *either) {
   int worst = 0;
   *either = 0;
   for (int i = 0; i < k->count; i++) {
@@ -152,8 +168,7 @@ static int judged(const struct kernel *k, const REAL *in, int *either)
   return worst;
 }
 
-static void fail(const struct kernel *k, const REAL *in, int status, const char *why)
-{
+static void fail(const struct kernel *k, const REAL *in, int status, const char *why) {
   printf("FAILED %s: %s; status %d at", k->name, why, status);
   for (int i = 0; i < k->count; i++) {
     for (int c = 0; c < k->quantities[i].size; c++) {
@@ -164,8 +179,7 @@ static void fail(const struct kernel *k, const REAL *in, int status, const char 
   exit(1);
 }
 
-static void check_outputs(const struct kernel *k, const REAL *in, const REAL *out, int status)
-{
+static void check_outputs(const struct kernel *k, const REAL *in, const REAL *out, int status) {
   static const unsigned char canary[sizeof(REAL)] = {CANARY, CANARY, CANARY, CANARY,
                                                      CANARY, CANARY, CANARY, CANARY};
   for (int i = 0; i < k->outputs + PADDING; i++) {
@@ -179,8 +193,7 @@ static void check_outputs(const struct kernel *k, const REAL *in, const REAL *ou
   }
 }
 
-static void check_in_place(const struct kernel *k, const REAL *in, const REAL *out, int status)
-{
+static void check_in_place(const struct kernel *k, const REAL *in, const REAL *out, int status) {
   REAL both[MOST];
   memcpy(both, in, (size_t)k->inputs * sizeof *in);
   if (k->call(both, both) != status) {
@@ -191,8 +204,7 @@ static void check_in_place(const struct kernel *k, const REAL *in, const REAL *o
   }
 }
 
-static void run(const struct kernel *k, long calls)
-{
+static void run(const struct kernel *k, long calls) {
   long accepted = 0, answered = 0;
   REAL in[MOST] = {0}, before[MOST], out[MOST];
   const size_t read = (size_t)k->inputs * sizeof *in;
@@ -206,7 +218,8 @@ static void run(const struct kernel *k, long calls)
     if (memcmp(before, in, read) != 0) {
       fail(k, before, status, "an input was written");
     }
-    if (expected != 0 ? (status != expected && !either) : ((status == -1 || status == -2) && !either)) {
+    if (expected != 0 ? (status != expected && !either)
+                      : ((status == -1 || status == -2) && !either)) {
       fail(k, in, status, expected ? "another refusal was due" : "a legal input was refused");
     }
     if (status < -8 || status > 8 || !((k->allowed >> (status + 8)) & 1u)) {
@@ -222,8 +235,7 @@ static void run(const struct kernel *k, long calls)
   printf("%s %ld %ld %ld\n", k->name, calls, accepted, answered);
 }
 
-static int run_all(const struct kernel *kernels, int count, const char *calls)
-{
+static int run_all(const struct kernel *kernels, int count, const char *calls) {
   for (int i = 0; i < count; i++) {
     state = (uint64_t)i * 1000003u;
     run(&kernels[i], strtol(calls, NULL, 10));

@@ -19,9 +19,9 @@ int bare_root_f64(double x, double *r)
 {
   int status = ARMILLARY_OK;
 
-  if (!((x >= 0.0) && (x <= 1.0e3))) {
+  if (!((x >= 0.0) && (x <= 1000.0))) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(x) <= DBL_MAX) && !((x >= 0.0) && (x <= 1.0e3)))) {
+    if (((fabs(x) <= DBL_MAX) && !((x >= 0.0) && (x <= 1000.0)))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {
