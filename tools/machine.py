@@ -46,8 +46,6 @@ TOOLS = (
     Tool("g++", "the headers as C++", ("g++",)),
     Tool("clang", "the C under clang's warnings", ("clang",)),
     Sanitizers("clang's sanitizers", "the C under clang's ASan and UBSan", ("libclang-rt-dev",)),
-    Tool("valgrind", "reads of uninitialised memory in the C", ("valgrind",)),
-    Tool("strace", "regeneration killed at every write", ("strace",)),
     Tool(
         "chromium",
         "the site in a browser",

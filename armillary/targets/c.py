@@ -137,15 +137,7 @@ def header_file(
     guard = f"{target.folder}_{target.prefix}{system}_H".upper()
     lines = [
         NOTICE.format(version=target.version).rstrip(),
-        "/**",
-        f" * @file {system}.h",
-        f" * @brief {comment(title).rstrip('.')}.",
-        " *",
-        " * SI units, radians, right-handed frames; vectors at the boundary are local",
-        " * east-north-up unless stated. Matrices are flat and row-major. Every function returns",
-        " * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,",
-        " * negative means that no result was written.",
-        " */",
+        *_file_comment(system, title),
         f"#ifndef {guard}",
         f"#define {guard}",
         "",
@@ -168,6 +160,20 @@ def header_file(
         lines += block
     lines += ["#ifdef __cplusplus", "}", "#endif", "", f"#endif /* {guard} */"]
     return "\n".join(lines) + "\n"
+
+
+def _file_comment(system: str, title: str) -> list[str]:
+    return [
+        "/**",
+        f" * @file {system}.h",
+        f" * @brief {comment(title).rstrip('.')}.",
+        " *",
+        " * SI units, radians, right-handed frames; vectors at the boundary are local",
+        " * east-north-up unless stated. Matrices are flat and row-major. Every function returns",
+        " * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,",
+        " * negative means that no result was written.",
+        " */",
+    ]
 
 
 def _declarations(

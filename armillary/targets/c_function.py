@@ -77,13 +77,8 @@ def function_body(program: Program, language: C) -> list[str]:
     Inputs are read before anything is written, so that a call in place is legal.
     """
     kernel = program.kernel
-    quantities = (*kernel.inputs, *kernel.parameters)
-    taken = (
-        {q.name for q in quantities}
-        | {kernel.result_argument(o.name) for o in kernel.outputs}
-        | {"p", "status"}
-    )
-    taken |= {f"{q.name}_{axis}" for q in quantities if q.shape for axis in "xyz"}
+    taken = {*kernel.argument_names(), "p", "status"}
+    taken |= {kernel.result_argument(o.name) for o in kernel.outputs}
     tests = []
     for guard in program.guards:
         test = GuardTest(guard, language, taken)

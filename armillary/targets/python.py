@@ -143,7 +143,7 @@ def _function(made: PythonKernel) -> list[str]:
     lines.append(f"    return {result_name(kernel)}(")
     for result, entries in zip(program.results, body.results, strict=True):
         if result.shape:
-            inner = ", ".join(entries)
+            inner = ", ".join(entries) + ("," if len(entries) == 1 else "")
             lines += _filled(
                 f"{result.name}=call.array({result.shape!r}, ({inner})),", "        ", " " * 12
             )

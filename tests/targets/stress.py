@@ -5,6 +5,7 @@ from armillary import (
     Chain,
     Derivation,
     Kind,
+    Matrix,
     Status,
     X,
     Y,
@@ -134,6 +135,7 @@ def bare() -> Derivation:
     d = Derivation("bare", title="One number")
     x = d.scalar("x", "a number", kind=Kind.NON_NEGATIVE)
     d.kernel("root", inputs=[x], outputs={"r": sqrt(x)})
+    d.kernel("one_by_one", inputs=[x], outputs={"m": Matrix(((x * x,),))})
     return d
 
 

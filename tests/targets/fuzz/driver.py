@@ -80,12 +80,16 @@ def _kernel(printed, system, name, facts, parameters, precision):
     ]
     if table:
         lines += [f"static const struct quantity of_{symbol}[] = {{", *table, "};"]
-    statuses = {0, *(int(c.status) for c in record.cases)}
-    statuses |= set(GUARDS) if read else set()
-    allowed = sum(1 << (s + 8) for s in statuses)
+    allowed = _allowed(record, guarded=bool(read))
     of = f"of_{symbol}" if table else "NULL"
     row = f'  {{"{symbol}", {of}, {len(table)}, {place}, {outputs}, {allowed}u, call_{symbol}}},'
     return lines, row
+
+
+def _allowed(kernel, guarded):
+    """The statuses that a kernel declares, as bits."""
+    statuses = {0, *(int(c.status) for c in kernel.cases)} | set(GUARDS if guarded else ())
+    return sum(1 << (s + 8) for s in statuses)
 
 
 def _quantity(quantity, size, dtype):
