@@ -168,7 +168,7 @@ def test_two_files_of_one_name_are_refused(small: Project):
     write_system(small.root, "base_one", ALONE.replace('"alone"', '"base_one"'))
     edit(small.root, "base_one", '"thrice", inputs', '"more", inputs')
     edit(small.root, "base", 'd.kernel("one"', 'd.kernel("one_more"')
-    with pytest.raises(ProjectError, match="base_one and .* both make generated/"):
+    with pytest.raises(ProjectError, match=r"base_one and .* both make generated/"):
         regenerate(small)
     assert not (small.generated / "manifest.json").exists()
 
