@@ -6,6 +6,7 @@ know besides is handed to it in memory, and `hooks.py` does the rest while it bu
 
 from __future__ import annotations
 
+import logging
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -56,13 +57,16 @@ def build_site(root: Path, out: Path | None = None, strict: bool = True) -> Path
 
 def serve(root: Path, address: str = ADDRESS) -> None:
     """Serve the site, and build it anew when a derivation or a page changes; runs until stopped."""
+    talk = logging.getLogger("mkdocs")  # it says where it serves, and what it rebuilds
+    talk.setLevel(logging.INFO)
+    talk.addHandler(logging.StreamHandler())
     watched = [root / "derivations", root / "generated", root / "build" / "checks.json"]
     with _plain_errors():
         mkdocs_serve.serve(
             str(_config_file(root)),
             watch=[str(path) for path in watched if path.exists()],
             dev_addr=address,
-            **_options(root),
+            **_options(root) | {"hooks": [str(_HERE / "serving.py")]},
         )
 
 

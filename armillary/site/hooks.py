@@ -31,9 +31,24 @@ _derivations: dict[str, Derivation] = {}
 
 def on_config(config: Any) -> Any:
     """Write the pages of the systems, and give them their place."""
-    root, docs = Path(config.config_file_path).parent, Path(config.docs_dir)
+    refresh(config)
+    return configure(config)
+
+
+def refresh(config: Any) -> None:
+    """Read the derivations, and write their pages."""
+    found = write_pages(Path(config.config_file_path).parent, Path(config.docs_dir))
     _derivations.clear()
-    _derivations.update(write_pages(root, docs))
+    _derivations.update(found)
+
+
+def is_fresh() -> bool:
+    """Whether there are pages that were read without an error."""
+    return bool(_derivations)
+
+
+def configure(config: Any) -> Any:
+    """Tell MkDocs what the pages need."""
     config.use_directory_urls = False  # a page opened from file:// has no server to add index.html
     config.nav = with_systems(config.nav, _derivations)
     for name, options in _EXTENSIONS.items():

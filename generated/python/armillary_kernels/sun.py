@@ -265,7 +265,7 @@ def cosine(*, day):
     )
     xp = call.xp
     (day,) = call.values
-    t1 = xp.cos(0.01721420632103996 * (day + 1.0e1))
+    t1 = xp.cos(0.01721420632103996 * (day + 10.0))
     return CosineResult(
         declination=call.array((), (-(0.4092797095926703 * t1),)),
         status=call.status,

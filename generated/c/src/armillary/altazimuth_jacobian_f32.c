@@ -19,12 +19,12 @@ int altazimuth_jacobian_f32(
   const float L_2 = p->L_2;
   int status = ARMILLARY_OK;
 
-  if (!(fabsf(gamma) <= 1.0e3f) ||
-      !(fabsf(upsilon) <= 1.0e3f) ||
+  if (!(fabsf(gamma) <= 1000.0f) ||
+      !(fabsf(upsilon) <= 1000.0f) ||
       !((L_2 >= 0.0f) && (L_2 <= 1.0e6f))) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(gamma) <= FLT_MAX) && !(fabsf(gamma) <= 1.0e3f)) ||
-        ((fabsf(upsilon) <= FLT_MAX) && !(fabsf(upsilon) <= 1.0e3f)) ||
+    if (((fabsf(gamma) <= FLT_MAX) && !(fabsf(gamma) <= 1000.0f)) ||
+        ((fabsf(upsilon) <= FLT_MAX) && !(fabsf(upsilon) <= 1000.0f)) ||
         ((fabsf(L_2) <= FLT_MAX) && !((L_2 >= 0.0f) && (L_2 <= 1.0e6f)))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }

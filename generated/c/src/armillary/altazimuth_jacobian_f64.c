@@ -21,12 +21,12 @@ int altazimuth_jacobian_f64(
   const double L_2 = p->L_2;
   int status = ARMILLARY_OK;
 
-  if (!(fabs(gamma) <= 1.0e3) ||
-      !(fabs(upsilon) <= 1.0e3) ||
+  if (!(fabs(gamma) <= 1000.0) ||
+      !(fabs(upsilon) <= 1000.0) ||
       !((L_2 >= 0.0) && (L_2 <= 1.0e6))) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(gamma) <= DBL_MAX) && !(fabs(gamma) <= 1.0e3)) ||
-        ((fabs(upsilon) <= DBL_MAX) && !(fabs(upsilon) <= 1.0e3)) ||
+    if (((fabs(gamma) <= DBL_MAX) && !(fabs(gamma) <= 1000.0)) ||
+        ((fabs(upsilon) <= DBL_MAX) && !(fabs(upsilon) <= 1000.0)) ||
         ((fabs(L_2) <= DBL_MAX) && !((L_2 >= 0.0) && (L_2 <= 1.0e6)))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }

@@ -20,14 +20,14 @@ int altazimuth_pose_f32(const altazimuth_params_f32 *p, float gamma, float upsil
   const float L_2 = p->L_2;
   int status = ARMILLARY_OK;
 
-  if (!(fabsf(gamma) <= 1.0e3f) ||
-      !(fabsf(upsilon) <= 1.0e3f) ||
+  if (!(fabsf(gamma) <= 1000.0f) ||
+      !(fabsf(upsilon) <= 1000.0f) ||
       !((L_0 >= 0.0f) && (L_0 <= 1.0e6f)) ||
       !((L_1 >= 0.0f) && (L_1 <= 1.0e6f)) ||
       !((L_2 >= 0.0f) && (L_2 <= 1.0e6f))) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(gamma) <= FLT_MAX) && !(fabsf(gamma) <= 1.0e3f)) ||
-        ((fabsf(upsilon) <= FLT_MAX) && !(fabsf(upsilon) <= 1.0e3f)) ||
+    if (((fabsf(gamma) <= FLT_MAX) && !(fabsf(gamma) <= 1000.0f)) ||
+        ((fabsf(upsilon) <= FLT_MAX) && !(fabsf(upsilon) <= 1000.0f)) ||
         ((fabsf(L_0) <= FLT_MAX) && !((L_0 >= 0.0f) && (L_0 <= 1.0e6f))) ||
         ((fabsf(L_1) <= FLT_MAX) && !((L_1 >= 0.0f) && (L_1 <= 1.0e6f))) ||
         ((fabsf(L_2) <= FLT_MAX) && !((L_2 >= 0.0f) && (L_2 <= 1.0e6f)))) {

@@ -23,16 +23,16 @@ int altazimuth_velocity_f32(
   const float L_2 = p->L_2;
   int status = ARMILLARY_OK;
 
-  if (!(fabsf(gamma) <= 1.0e3f) ||
-      !(fabsf(upsilon) <= 1.0e3f) ||
+  if (!(fabsf(gamma) <= 1000.0f) ||
+      !(fabsf(upsilon) <= 1000.0f) ||
       !(fabsf(gamma_dot) <= 1.0e6f) ||
       !(fabsf(upsilon_dot) <= 1.0e6f) ||
       !((L_0 >= 0.0f) && (L_0 <= 1.0e6f)) ||
       !((L_1 >= 0.0f) && (L_1 <= 1.0e6f)) ||
       !((L_2 >= 0.0f) && (L_2 <= 1.0e6f))) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(gamma) <= FLT_MAX) && !(fabsf(gamma) <= 1.0e3f)) ||
-        ((fabsf(upsilon) <= FLT_MAX) && !(fabsf(upsilon) <= 1.0e3f)) ||
+    if (((fabsf(gamma) <= FLT_MAX) && !(fabsf(gamma) <= 1000.0f)) ||
+        ((fabsf(upsilon) <= FLT_MAX) && !(fabsf(upsilon) <= 1000.0f)) ||
         ((fabsf(gamma_dot) <= FLT_MAX) && !(fabsf(gamma_dot) <= 1.0e6f)) ||
         ((fabsf(upsilon_dot) <= FLT_MAX) && !(fabsf(upsilon_dot) <= 1.0e6f)) ||
         ((fabsf(L_0) <= FLT_MAX) && !((L_0 >= 0.0f) && (L_0 <= 1.0e6f))) ||

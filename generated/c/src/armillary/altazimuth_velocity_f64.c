@@ -25,16 +25,16 @@ int altazimuth_velocity_f64(
   const double L_2 = p->L_2;
   int status = ARMILLARY_OK;
 
-  if (!(fabs(gamma) <= 1.0e3) ||
-      !(fabs(upsilon) <= 1.0e3) ||
+  if (!(fabs(gamma) <= 1000.0) ||
+      !(fabs(upsilon) <= 1000.0) ||
       !(fabs(gamma_dot) <= 1.0e6) ||
       !(fabs(upsilon_dot) <= 1.0e6) ||
       !((L_0 >= 0.0) && (L_0 <= 1.0e6)) ||
       !((L_1 >= 0.0) && (L_1 <= 1.0e6)) ||
       !((L_2 >= 0.0) && (L_2 <= 1.0e6))) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(gamma) <= DBL_MAX) && !(fabs(gamma) <= 1.0e3)) ||
-        ((fabs(upsilon) <= DBL_MAX) && !(fabs(upsilon) <= 1.0e3)) ||
+    if (((fabs(gamma) <= DBL_MAX) && !(fabs(gamma) <= 1000.0)) ||
+        ((fabs(upsilon) <= DBL_MAX) && !(fabs(upsilon) <= 1000.0)) ||
         ((fabs(gamma_dot) <= DBL_MAX) && !(fabs(gamma_dot) <= 1.0e6)) ||
         ((fabs(upsilon_dot) <= DBL_MAX) && !(fabs(upsilon_dot) <= 1.0e6)) ||
         ((fabs(L_0) <= DBL_MAX) && !((L_0 >= 0.0) && (L_0 <= 1.0e6))) ||

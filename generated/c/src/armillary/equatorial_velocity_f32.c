@@ -23,16 +23,16 @@ int equatorial_velocity_f32(
   const float L_2 = p->L_2;
   int status = ARMILLARY_OK;
 
-  if (!(fabsf(incl) <= 1.0e3f) ||
-      !(fabsf(epsilon) <= 1.0e3f) ||
+  if (!(fabsf(incl) <= 1000.0f) ||
+      !(fabsf(epsilon) <= 1000.0f) ||
       !(fabsf(incl_dot) <= 1.0e6f) ||
       !(fabsf(epsilon_dot) <= 1.0e6f) ||
       !((L_0 >= 0.0f) && (L_0 <= 1.0e6f)) ||
       !((L_1 >= 0.0f) && (L_1 <= 1.0e6f)) ||
       !((L_2 >= 0.0f) && (L_2 <= 1.0e6f))) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(incl) <= FLT_MAX) && !(fabsf(incl) <= 1.0e3f)) ||
-        ((fabsf(epsilon) <= FLT_MAX) && !(fabsf(epsilon) <= 1.0e3f)) ||
+    if (((fabsf(incl) <= FLT_MAX) && !(fabsf(incl) <= 1000.0f)) ||
+        ((fabsf(epsilon) <= FLT_MAX) && !(fabsf(epsilon) <= 1000.0f)) ||
         ((fabsf(incl_dot) <= FLT_MAX) && !(fabsf(incl_dot) <= 1.0e6f)) ||
         ((fabsf(epsilon_dot) <= FLT_MAX) && !(fabsf(epsilon_dot) <= 1.0e6f)) ||
         ((fabsf(L_0) <= FLT_MAX) && !((L_0 >= 0.0f) && (L_0 <= 1.0e6f))) ||

@@ -25,16 +25,16 @@ int equatorial_velocity_f64(
   const double L_2 = p->L_2;
   int status = ARMILLARY_OK;
 
-  if (!(fabs(incl) <= 1.0e3) ||
-      !(fabs(epsilon) <= 1.0e3) ||
+  if (!(fabs(incl) <= 1000.0) ||
+      !(fabs(epsilon) <= 1000.0) ||
       !(fabs(incl_dot) <= 1.0e6) ||
       !(fabs(epsilon_dot) <= 1.0e6) ||
       !((L_0 >= 0.0) && (L_0 <= 1.0e6)) ||
       !((L_1 >= 0.0) && (L_1 <= 1.0e6)) ||
       !((L_2 >= 0.0) && (L_2 <= 1.0e6))) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(incl) <= DBL_MAX) && !(fabs(incl) <= 1.0e3)) ||
-        ((fabs(epsilon) <= DBL_MAX) && !(fabs(epsilon) <= 1.0e3)) ||
+    if (((fabs(incl) <= DBL_MAX) && !(fabs(incl) <= 1000.0)) ||
+        ((fabs(epsilon) <= DBL_MAX) && !(fabs(epsilon) <= 1000.0)) ||
         ((fabs(incl_dot) <= DBL_MAX) && !(fabs(incl_dot) <= 1.0e6)) ||
         ((fabs(epsilon_dot) <= DBL_MAX) && !(fabs(epsilon_dot) <= 1.0e6)) ||
         ((fabs(L_0) <= DBL_MAX) && !((L_0 >= 0.0) && (L_0 <= 1.0e6))) ||

@@ -17,9 +17,9 @@ int frames_azimuth_from_north_east_f32(float azimuth_south, float *azimuth)
 {
   int status = ARMILLARY_OK;
 
-  if (!(fabsf(azimuth_south) <= 1.0e3f)) {
+  if (!(fabsf(azimuth_south) <= 1000.0f)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(azimuth_south) <= FLT_MAX) && !(fabsf(azimuth_south) <= 1.0e3f))) {
+    if (((fabsf(azimuth_south) <= FLT_MAX) && !(fabsf(azimuth_south) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

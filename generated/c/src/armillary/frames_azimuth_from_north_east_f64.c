@@ -19,9 +19,9 @@ int frames_azimuth_from_north_east_f64(double azimuth_south, double *azimuth)
 {
   int status = ARMILLARY_OK;
 
-  if (!(fabs(azimuth_south) <= 1.0e3)) {
+  if (!(fabs(azimuth_south) <= 1000.0)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(azimuth_south) <= DBL_MAX) && !(fabs(azimuth_south) <= 1.0e3))) {
+    if (((fabs(azimuth_south) <= DBL_MAX) && !(fabs(azimuth_south) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

@@ -17,9 +17,9 @@ int frames_azimuth_from_south_west_f32(float azimuth, float *azimuth_south)
 {
   int status = ARMILLARY_OK;
 
-  if (!(fabsf(azimuth) <= 1.0e3f)) {
+  if (!(fabsf(azimuth) <= 1000.0f)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(azimuth) <= FLT_MAX) && !(fabsf(azimuth) <= 1.0e3f))) {
+    if (((fabsf(azimuth) <= FLT_MAX) && !(fabsf(azimuth) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

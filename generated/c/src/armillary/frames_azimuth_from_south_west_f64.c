@@ -19,9 +19,9 @@ int frames_azimuth_from_south_west_f64(double azimuth, double *azimuth_south)
 {
   int status = ARMILLARY_OK;
 
-  if (!(fabs(azimuth) <= 1.0e3)) {
+  if (!(fabs(azimuth) <= 1000.0)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(azimuth) <= DBL_MAX) && !(fabs(azimuth) <= 1.0e3))) {
+    if (((fabs(azimuth) <= DBL_MAX) && !(fabs(azimuth) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

@@ -117,15 +117,16 @@ int polar_aim_f32(const polar_params_f32 *p, const float enu[3], float *epsilon,
  *     1000], working range [-0.4102, 0.4102]
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
  *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[out] incl fixed tilt that lays the hour axis along the earth's axis (polar-incl_set)
+ * @param[out] incl_out fixed tilt that lays the hour axis along the earth's axis
+ *     (polar-incl_set)
  * @param[out] epsilon hour drive that follows the hour angle, in [-pi, pi], rad
  *     (polar-epsilon_set)
  * @param[out] D declination drive that follows the declination, rad (polar-D_set)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int polar_setting_f32(
-    const polar_params_f32 *p, float latitude, float declination, float hour_angle, float *incl,
-    float *epsilon, float *D);
+    const polar_params_f32 *p, float latitude, float declination, float hour_angle,
+    float *incl_out, float *epsilon, float *D);
 
 #if DBL_MANT_DIG >= 53
 
@@ -224,7 +225,8 @@ int polar_aim_f64(const polar_params_f64 *p, const double enu[3], double *epsilo
  *     1000], working range [-0.4102, 0.4102]
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
  *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[out] incl fixed tilt that lays the hour axis along the earth's axis (polar-incl_set)
+ * @param[out] incl_out fixed tilt that lays the hour axis along the earth's axis
+ *     (polar-incl_set)
  * @param[out] epsilon hour drive that follows the hour angle, in [-pi, pi], rad
  *     (polar-epsilon_set)
  * @param[out] D declination drive that follows the declination, rad (polar-D_set)
@@ -232,7 +234,7 @@ int polar_aim_f64(const polar_params_f64 *p, const double enu[3], double *epsilo
  */
 int polar_setting_f64(
     const polar_params_f64 *p, double latitude, double declination, double hour_angle,
-    double *incl, double *epsilon, double *D);
+    double *incl_out, double *epsilon, double *D);
 
 #endif
 

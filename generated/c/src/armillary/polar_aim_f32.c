@@ -26,13 +26,13 @@ int polar_aim_f32(const polar_params_f32 *p, const float enu[3], float *epsilon,
       !(fabsf(enu_y) <= 1.001f) ||
       !(fabsf(enu_z) <= 1.001f) ||
       !(fabsf(enu_excess) <= 0.001f) ||
-      !(fabsf(incl) <= 1.0e3f)) {
+      !(fabsf(incl) <= 1000.0f)) {
     status = ARMILLARY_NOT_FINITE;
     if (((fabsf(enu_x) <= FLT_MAX) && !(fabsf(enu_x) <= 1.001f)) ||
         ((fabsf(enu_y) <= FLT_MAX) && !(fabsf(enu_y) <= 1.001f)) ||
         ((fabsf(enu_z) <= FLT_MAX) && !(fabsf(enu_z) <= 1.001f)) ||
         ((fabsf(enu_excess) <= FLT_MAX) && !(fabsf(enu_excess) <= 0.001f)) ||
-        ((fabsf(incl) <= FLT_MAX) && !(fabsf(incl) <= 1.0e3f))) {
+        ((fabsf(incl) <= FLT_MAX) && !(fabsf(incl) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

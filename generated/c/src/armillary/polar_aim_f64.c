@@ -28,13 +28,13 @@ int polar_aim_f64(const polar_params_f64 *p, const double enu[3], double *epsilo
       !(fabs(enu_y) <= 1.001) ||
       !(fabs(enu_z) <= 1.001) ||
       !(fabs(enu_excess) <= 0.001) ||
-      !(fabs(incl) <= 1.0e3)) {
+      !(fabs(incl) <= 1000.0)) {
     status = ARMILLARY_NOT_FINITE;
     if (((fabs(enu_x) <= DBL_MAX) && !(fabs(enu_x) <= 1.001)) ||
         ((fabs(enu_y) <= DBL_MAX) && !(fabs(enu_y) <= 1.001)) ||
         ((fabs(enu_z) <= DBL_MAX) && !(fabs(enu_z) <= 1.001)) ||
         ((fabs(enu_excess) <= DBL_MAX) && !(fabs(enu_excess) <= 0.001)) ||
-        ((fabs(incl) <= DBL_MAX) && !(fabs(incl) <= 1.0e3))) {
+        ((fabs(incl) <= DBL_MAX) && !(fabs(incl) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

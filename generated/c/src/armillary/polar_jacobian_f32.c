@@ -19,15 +19,15 @@ int polar_jacobian_f32(const polar_params_f32 *p, float epsilon, float D, float 
   const float incl = p->incl;
   int status = ARMILLARY_OK;
 
-  if (!(fabsf(epsilon) <= 1.0e3f) ||
-      !(fabsf(D) <= 1.0e3f) ||
+  if (!(fabsf(epsilon) <= 1000.0f) ||
+      !(fabsf(D) <= 1000.0f) ||
       !((L_2 >= 0.0f) && (L_2 <= 1.0e6f)) ||
-      !(fabsf(incl) <= 1.0e3f)) {
+      !(fabsf(incl) <= 1000.0f)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(epsilon) <= FLT_MAX) && !(fabsf(epsilon) <= 1.0e3f)) ||
-        ((fabsf(D) <= FLT_MAX) && !(fabsf(D) <= 1.0e3f)) ||
+    if (((fabsf(epsilon) <= FLT_MAX) && !(fabsf(epsilon) <= 1000.0f)) ||
+        ((fabsf(D) <= FLT_MAX) && !(fabsf(D) <= 1000.0f)) ||
         ((fabsf(L_2) <= FLT_MAX) && !((L_2 >= 0.0f) && (L_2 <= 1.0e6f))) ||
-        ((fabsf(incl) <= FLT_MAX) && !(fabsf(incl) <= 1.0e3f))) {
+        ((fabsf(incl) <= FLT_MAX) && !(fabsf(incl) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

@@ -21,15 +21,15 @@ int polar_jacobian_f64(const polar_params_f64 *p, double epsilon, double D, doub
   const double incl = p->incl;
   int status = ARMILLARY_OK;
 
-  if (!(fabs(epsilon) <= 1.0e3) ||
-      !(fabs(D) <= 1.0e3) ||
+  if (!(fabs(epsilon) <= 1000.0) ||
+      !(fabs(D) <= 1000.0) ||
       !((L_2 >= 0.0) && (L_2 <= 1.0e6)) ||
-      !(fabs(incl) <= 1.0e3)) {
+      !(fabs(incl) <= 1000.0)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(epsilon) <= DBL_MAX) && !(fabs(epsilon) <= 1.0e3)) ||
-        ((fabs(D) <= DBL_MAX) && !(fabs(D) <= 1.0e3)) ||
+    if (((fabs(epsilon) <= DBL_MAX) && !(fabs(epsilon) <= 1000.0)) ||
+        ((fabs(D) <= DBL_MAX) && !(fabs(D) <= 1000.0)) ||
         ((fabs(L_2) <= DBL_MAX) && !((L_2 >= 0.0) && (L_2 <= 1.0e6))) ||
-        ((fabs(incl) <= DBL_MAX) && !(fabs(incl) <= 1.0e3))) {
+        ((fabs(incl) <= DBL_MAX) && !(fabs(incl) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

@@ -14,19 +14,19 @@
 #endif
 
 int polar_setting_f32(
-    const polar_params_f32 *p, float latitude, float declination, float hour_angle, float *incl,
-    float *epsilon, float *D)
+    const polar_params_f32 *p, float latitude, float declination, float hour_angle,
+    float *incl_out, float *epsilon, float *D)
 {
   int status = ARMILLARY_OK;
   (void)p;
 
-  if (!(fabsf(latitude) <= 1.0e3f) ||
-      !(fabsf(declination) <= 1.0e3f) ||
-      !(fabsf(hour_angle) <= 1.0e3f)) {
+  if (!(fabsf(latitude) <= 1000.0f) ||
+      !(fabsf(declination) <= 1000.0f) ||
+      !(fabsf(hour_angle) <= 1000.0f)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(latitude) <= FLT_MAX) && !(fabsf(latitude) <= 1.0e3f)) ||
-        ((fabsf(declination) <= FLT_MAX) && !(fabsf(declination) <= 1.0e3f)) ||
-        ((fabsf(hour_angle) <= FLT_MAX) && !(fabsf(hour_angle) <= 1.0e3f))) {
+    if (((fabsf(latitude) <= FLT_MAX) && !(fabsf(latitude) <= 1000.0f)) ||
+        ((fabsf(declination) <= FLT_MAX) && !(fabsf(declination) <= 1000.0f)) ||
+        ((fabsf(hour_angle) <= FLT_MAX) && !(fabsf(hour_angle) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {
@@ -35,7 +35,7 @@ int polar_setting_f32(
     const float t2 = sinf(t1);
     const float t3 = cosf(t1);
     const float epsilon_set = atan2f(t2, t3); /* polar-epsilon_set */
-    *incl = incl_set;
+    *incl_out = incl_set;
     *epsilon = epsilon_set;
     *D = -declination;
   }

@@ -17,18 +17,18 @@
 
 int polar_setting_f64(
     const polar_params_f64 *p, double latitude, double declination, double hour_angle,
-    double *incl, double *epsilon, double *D)
+    double *incl_out, double *epsilon, double *D)
 {
   int status = ARMILLARY_OK;
   (void)p;
 
-  if (!(fabs(latitude) <= 1.0e3) ||
-      !(fabs(declination) <= 1.0e3) ||
-      !(fabs(hour_angle) <= 1.0e3)) {
+  if (!(fabs(latitude) <= 1000.0) ||
+      !(fabs(declination) <= 1000.0) ||
+      !(fabs(hour_angle) <= 1000.0)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(latitude) <= DBL_MAX) && !(fabs(latitude) <= 1.0e3)) ||
-        ((fabs(declination) <= DBL_MAX) && !(fabs(declination) <= 1.0e3)) ||
-        ((fabs(hour_angle) <= DBL_MAX) && !(fabs(hour_angle) <= 1.0e3))) {
+    if (((fabs(latitude) <= DBL_MAX) && !(fabs(latitude) <= 1000.0)) ||
+        ((fabs(declination) <= DBL_MAX) && !(fabs(declination) <= 1000.0)) ||
+        ((fabs(hour_angle) <= DBL_MAX) && !(fabs(hour_angle) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {
@@ -37,7 +37,7 @@ int polar_setting_f64(
     const double t2 = sin(t1);
     const double t3 = cos(t1);
     const double epsilon_set = atan2(t2, t3); /* polar-epsilon_set */
-    *incl = incl_set;
+    *incl_out = incl_set;
     *epsilon = epsilon_set;
     *D = -declination;
   }

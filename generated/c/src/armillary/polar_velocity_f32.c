@@ -24,23 +24,23 @@ int polar_velocity_f32(
   const float incl = p->incl;
   int status = ARMILLARY_OK;
 
-  if (!(fabsf(epsilon) <= 1.0e3f) ||
-      !(fabsf(D) <= 1.0e3f) ||
+  if (!(fabsf(epsilon) <= 1000.0f) ||
+      !(fabsf(D) <= 1000.0f) ||
       !(fabsf(epsilon_dot) <= 1.0e6f) ||
       !(fabsf(D_dot) <= 1.0e6f) ||
       !((L_0 >= 0.0f) && (L_0 <= 1.0e6f)) ||
       !((L_1 >= 0.0f) && (L_1 <= 1.0e6f)) ||
       !((L_2 >= 0.0f) && (L_2 <= 1.0e6f)) ||
-      !(fabsf(incl) <= 1.0e3f)) {
+      !(fabsf(incl) <= 1000.0f)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(epsilon) <= FLT_MAX) && !(fabsf(epsilon) <= 1.0e3f)) ||
-        ((fabsf(D) <= FLT_MAX) && !(fabsf(D) <= 1.0e3f)) ||
+    if (((fabsf(epsilon) <= FLT_MAX) && !(fabsf(epsilon) <= 1000.0f)) ||
+        ((fabsf(D) <= FLT_MAX) && !(fabsf(D) <= 1000.0f)) ||
         ((fabsf(epsilon_dot) <= FLT_MAX) && !(fabsf(epsilon_dot) <= 1.0e6f)) ||
         ((fabsf(D_dot) <= FLT_MAX) && !(fabsf(D_dot) <= 1.0e6f)) ||
         ((fabsf(L_0) <= FLT_MAX) && !((L_0 >= 0.0f) && (L_0 <= 1.0e6f))) ||
         ((fabsf(L_1) <= FLT_MAX) && !((L_1 >= 0.0f) && (L_1 <= 1.0e6f))) ||
         ((fabsf(L_2) <= FLT_MAX) && !((L_2 >= 0.0f) && (L_2 <= 1.0e6f))) ||
-        ((fabsf(incl) <= FLT_MAX) && !(fabsf(incl) <= 1.0e3f))) {
+        ((fabsf(incl) <= FLT_MAX) && !(fabsf(incl) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

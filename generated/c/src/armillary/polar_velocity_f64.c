@@ -26,23 +26,23 @@ int polar_velocity_f64(
   const double incl = p->incl;
   int status = ARMILLARY_OK;
 
-  if (!(fabs(epsilon) <= 1.0e3) ||
-      !(fabs(D) <= 1.0e3) ||
+  if (!(fabs(epsilon) <= 1000.0) ||
+      !(fabs(D) <= 1000.0) ||
       !(fabs(epsilon_dot) <= 1.0e6) ||
       !(fabs(D_dot) <= 1.0e6) ||
       !((L_0 >= 0.0) && (L_0 <= 1.0e6)) ||
       !((L_1 >= 0.0) && (L_1 <= 1.0e6)) ||
       !((L_2 >= 0.0) && (L_2 <= 1.0e6)) ||
-      !(fabs(incl) <= 1.0e3)) {
+      !(fabs(incl) <= 1000.0)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(epsilon) <= DBL_MAX) && !(fabs(epsilon) <= 1.0e3)) ||
-        ((fabs(D) <= DBL_MAX) && !(fabs(D) <= 1.0e3)) ||
+    if (((fabs(epsilon) <= DBL_MAX) && !(fabs(epsilon) <= 1000.0)) ||
+        ((fabs(D) <= DBL_MAX) && !(fabs(D) <= 1000.0)) ||
         ((fabs(epsilon_dot) <= DBL_MAX) && !(fabs(epsilon_dot) <= 1.0e6)) ||
         ((fabs(D_dot) <= DBL_MAX) && !(fabs(D_dot) <= 1.0e6)) ||
         ((fabs(L_0) <= DBL_MAX) && !((L_0 >= 0.0) && (L_0 <= 1.0e6))) ||
         ((fabs(L_1) <= DBL_MAX) && !((L_1 >= 0.0) && (L_1 <= 1.0e6))) ||
         ((fabs(L_2) <= DBL_MAX) && !((L_2 >= 0.0) && (L_2 <= 1.0e6))) ||
-        ((fabs(incl) <= DBL_MAX) && !(fabs(incl) <= 1.0e3))) {
+        ((fabs(incl) <= DBL_MAX) && !(fabs(incl) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

@@ -19,11 +19,11 @@ int quasi_steady_aim_f32(
   int status = ARMILLARY_OK;
   (void)p;
 
-  if (!(fabsf(latitude) <= 1.0e3f) ||
-      !(fabsf(declination) <= 1.0e3f)) {
+  if (!(fabsf(latitude) <= 1000.0f) ||
+      !(fabsf(declination) <= 1000.0f)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(latitude) <= FLT_MAX) && !(fabsf(latitude) <= 1.0e3f)) ||
-        ((fabsf(declination) <= FLT_MAX) && !(fabsf(declination) <= 1.0e3f))) {
+    if (((fabsf(latitude) <= FLT_MAX) && !(fabsf(latitude) <= 1000.0f)) ||
+        ((fabsf(declination) <= FLT_MAX) && !(fabsf(declination) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

@@ -21,11 +21,11 @@ int quasi_steady_aim_f64(
   int status = ARMILLARY_OK;
   (void)p;
 
-  if (!(fabs(latitude) <= 1.0e3) ||
-      !(fabs(declination) <= 1.0e3)) {
+  if (!(fabs(latitude) <= 1000.0) ||
+      !(fabs(declination) <= 1000.0)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(latitude) <= DBL_MAX) && !(fabs(latitude) <= 1.0e3)) ||
-        ((fabs(declination) <= DBL_MAX) && !(fabs(declination) <= 1.0e3))) {
+    if (((fabs(latitude) <= DBL_MAX) && !(fabs(latitude) <= 1000.0)) ||
+        ((fabs(declination) <= DBL_MAX) && !(fabs(declination) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

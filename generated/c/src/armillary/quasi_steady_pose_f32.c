@@ -20,12 +20,12 @@ int quasi_steady_pose_f32(const quasi_steady_params_f32 *p, float incl, float M[
   const float L_2 = p->L_2;
   int status = ARMILLARY_OK;
 
-  if (!(fabsf(incl) <= 1.0e3f) ||
+  if (!(fabsf(incl) <= 1000.0f) ||
       !((L_0 >= 0.0f) && (L_0 <= 1.0e6f)) ||
       !((L_1 >= 0.0f) && (L_1 <= 1.0e6f)) ||
       !((L_2 >= 0.0f) && (L_2 <= 1.0e6f))) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(incl) <= FLT_MAX) && !(fabsf(incl) <= 1.0e3f)) ||
+    if (((fabsf(incl) <= FLT_MAX) && !(fabsf(incl) <= 1000.0f)) ||
         ((fabsf(L_0) <= FLT_MAX) && !((L_0 >= 0.0f) && (L_0 <= 1.0e6f))) ||
         ((fabsf(L_1) <= FLT_MAX) && !((L_1 >= 0.0f) && (L_1 <= 1.0e6f))) ||
         ((fabsf(L_2) <= FLT_MAX) && !((L_2 >= 0.0f) && (L_2 <= 1.0e6f)))) {

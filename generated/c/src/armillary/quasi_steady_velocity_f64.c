@@ -24,13 +24,13 @@ int quasi_steady_velocity_f64(
   const double L_2 = p->L_2;
   int status = ARMILLARY_OK;
 
-  if (!(fabs(incl) <= 1.0e3) ||
+  if (!(fabs(incl) <= 1000.0) ||
       !(fabs(incl_dot) <= 1.0e6) ||
       !((L_0 >= 0.0) && (L_0 <= 1.0e6)) ||
       !((L_1 >= 0.0) && (L_1 <= 1.0e6)) ||
       !((L_2 >= 0.0) && (L_2 <= 1.0e6))) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(incl) <= DBL_MAX) && !(fabs(incl) <= 1.0e3)) ||
+    if (((fabs(incl) <= DBL_MAX) && !(fabs(incl) <= 1000.0)) ||
         ((fabs(incl_dot) <= DBL_MAX) && !(fabs(incl_dot) <= 1.0e6)) ||
         ((fabs(L_0) <= DBL_MAX) && !((L_0 >= 0.0) && (L_0 <= 1.0e6))) ||
         ((fabs(L_1) <= DBL_MAX) && !((L_1 >= 0.0) && (L_1 <= 1.0e6))) ||

@@ -26,13 +26,13 @@ int steady_incidence_f32(const steady_params_f32 *p, const float enu[3], float *
       !(fabsf(enu_y) <= 1.001f) ||
       !(fabsf(enu_z) <= 1.001f) ||
       !(fabsf(enu_excess) <= 0.001f) ||
-      !(fabsf(tilt) <= 1.0e3f)) {
+      !(fabsf(tilt) <= 1000.0f)) {
     status = ARMILLARY_NOT_FINITE;
     if (((fabsf(enu_x) <= FLT_MAX) && !(fabsf(enu_x) <= 1.001f)) ||
         ((fabsf(enu_y) <= FLT_MAX) && !(fabsf(enu_y) <= 1.001f)) ||
         ((fabsf(enu_z) <= FLT_MAX) && !(fabsf(enu_z) <= 1.001f)) ||
         ((fabsf(enu_excess) <= FLT_MAX) && !(fabsf(enu_excess) <= 0.001f)) ||
-        ((fabsf(tilt) <= FLT_MAX) && !(fabsf(tilt) <= 1.0e3f))) {
+        ((fabsf(tilt) <= FLT_MAX) && !(fabsf(tilt) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

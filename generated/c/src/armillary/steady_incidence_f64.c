@@ -28,13 +28,13 @@ int steady_incidence_f64(const steady_params_f64 *p, const double enu[3], double
       !(fabs(enu_y) <= 1.001) ||
       !(fabs(enu_z) <= 1.001) ||
       !(fabs(enu_excess) <= 0.001) ||
-      !(fabs(tilt) <= 1.0e3)) {
+      !(fabs(tilt) <= 1000.0)) {
     status = ARMILLARY_NOT_FINITE;
     if (((fabs(enu_x) <= DBL_MAX) && !(fabs(enu_x) <= 1.001)) ||
         ((fabs(enu_y) <= DBL_MAX) && !(fabs(enu_y) <= 1.001)) ||
         ((fabs(enu_z) <= DBL_MAX) && !(fabs(enu_z) <= 1.001)) ||
         ((fabs(enu_excess) <= DBL_MAX) && !(fabs(enu_excess) <= 0.001)) ||
-        ((fabs(tilt) <= DBL_MAX) && !(fabs(tilt) <= 1.0e3))) {
+        ((fabs(tilt) <= DBL_MAX) && !(fabs(tilt) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

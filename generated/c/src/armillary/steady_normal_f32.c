@@ -18,9 +18,9 @@ int steady_normal_f32(const steady_params_f32 *p, float normal[3])
   const float tilt = p->tilt;
   int status = ARMILLARY_OK;
 
-  if (!(fabsf(tilt) <= 1.0e3f)) {
+  if (!(fabsf(tilt) <= 1000.0f)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(tilt) <= FLT_MAX) && !(fabsf(tilt) <= 1.0e3f))) {
+    if (((fabsf(tilt) <= FLT_MAX) && !(fabsf(tilt) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

@@ -20,9 +20,9 @@ int steady_normal_f64(const steady_params_f64 *p, double normal[3])
   const double tilt = p->tilt;
   int status = ARMILLARY_OK;
 
-  if (!(fabs(tilt) <= 1.0e3)) {
+  if (!(fabs(tilt) <= 1000.0)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(tilt) <= DBL_MAX) && !(fabs(tilt) <= 1.0e3))) {
+    if (((fabs(tilt) <= DBL_MAX) && !(fabs(tilt) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

@@ -23,12 +23,12 @@ int steady_pose_f64(const steady_params_f64 *p, double M[16])
   const double L_2 = p->L_2;
   int status = ARMILLARY_OK;
 
-  if (!(fabs(tilt) <= 1.0e3) ||
+  if (!(fabs(tilt) <= 1000.0) ||
       !((L_0 >= 0.0) && (L_0 <= 1.0e6)) ||
       !((L_1 >= 0.0) && (L_1 <= 1.0e6)) ||
       !((L_2 >= 0.0) && (L_2 <= 1.0e6))) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(tilt) <= DBL_MAX) && !(fabs(tilt) <= 1.0e3)) ||
+    if (((fabs(tilt) <= DBL_MAX) && !(fabs(tilt) <= 1000.0)) ||
         ((fabs(L_0) <= DBL_MAX) && !((L_0 >= 0.0) && (L_0 <= 1.0e6))) ||
         ((fabs(L_1) <= DBL_MAX) && !((L_1 >= 0.0) && (L_1 <= 1.0e6))) ||
         ((fabs(L_2) <= DBL_MAX) && !((L_2 >= 0.0) && (L_2 <= 1.0e6)))) {

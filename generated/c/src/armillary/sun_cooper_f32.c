@@ -17,9 +17,9 @@ int sun_cooper_f32(float day, float *declination)
 {
   int status = ARMILLARY_OK;
 
-  if (!(fabsf(day) <= 1.0e3f)) {
+  if (!(fabsf(day) <= 1000.0f)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(day) <= FLT_MAX) && !(fabsf(day) <= 1.0e3f))) {
+    if (((fabsf(day) <= FLT_MAX) && !(fabsf(day) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

@@ -17,13 +17,13 @@ int sun_cosine_f32(float day, float *declination)
 {
   int status = ARMILLARY_OK;
 
-  if (!(fabsf(day) <= 1.0e3f)) {
+  if (!(fabsf(day) <= 1000.0f)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(day) <= FLT_MAX) && !(fabsf(day) <= 1.0e3f))) {
+    if (((fabsf(day) <= FLT_MAX) && !(fabsf(day) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {
-    const float t1 = cosf(0.017214207f * (day + 1.0e1f));
+    const float t1 = cosf(0.017214207f * (day + 10.0f));
     *declination = -(0.4092797f * t1);
   }
   return status;

@@ -19,13 +19,13 @@ int sun_cosine_f64(double day, double *declination)
 {
   int status = ARMILLARY_OK;
 
-  if (!(fabs(day) <= 1.0e3)) {
+  if (!(fabs(day) <= 1000.0)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(day) <= DBL_MAX) && !(fabs(day) <= 1.0e3))) {
+    if (((fabs(day) <= DBL_MAX) && !(fabs(day) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {
-    const double t1 = cos(0.01721420632103996 * (day + 1.0e1));
+    const double t1 = cos(0.01721420632103996 * (day + 10.0));
     *declination = -(0.4092797095926703 * t1);
   }
   return status;

@@ -17,11 +17,11 @@ int sun_day_limits_f32(float latitude, float declination, float *rise, float *se
 {
   int status = ARMILLARY_OK;
 
-  if (!(fabsf(latitude) <= 1.0e3f) ||
-      !(fabsf(declination) <= 1.0e3f)) {
+  if (!(fabsf(latitude) <= 1000.0f) ||
+      !(fabsf(declination) <= 1000.0f)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(latitude) <= FLT_MAX) && !(fabsf(latitude) <= 1.0e3f)) ||
-        ((fabsf(declination) <= FLT_MAX) && !(fabsf(declination) <= 1.0e3f))) {
+    if (((fabsf(latitude) <= FLT_MAX) && !(fabsf(latitude) <= 1000.0f)) ||
+        ((fabsf(declination) <= FLT_MAX) && !(fabsf(declination) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

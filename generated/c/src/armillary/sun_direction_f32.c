@@ -17,13 +17,13 @@ int sun_direction_f32(float latitude, float declination, float hour_angle, float
 {
   int status = ARMILLARY_OK;
 
-  if (!(fabsf(latitude) <= 1.0e3f) ||
-      !(fabsf(declination) <= 1.0e3f) ||
-      !(fabsf(hour_angle) <= 1.0e3f)) {
+  if (!(fabsf(latitude) <= 1000.0f) ||
+      !(fabsf(declination) <= 1000.0f) ||
+      !(fabsf(hour_angle) <= 1000.0f)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(latitude) <= FLT_MAX) && !(fabsf(latitude) <= 1.0e3f)) ||
-        ((fabsf(declination) <= FLT_MAX) && !(fabsf(declination) <= 1.0e3f)) ||
-        ((fabsf(hour_angle) <= FLT_MAX) && !(fabsf(hour_angle) <= 1.0e3f))) {
+    if (((fabsf(latitude) <= FLT_MAX) && !(fabsf(latitude) <= 1000.0f)) ||
+        ((fabsf(declination) <= FLT_MAX) && !(fabsf(declination) <= 1000.0f)) ||
+        ((fabsf(hour_angle) <= FLT_MAX) && !(fabsf(hour_angle) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

@@ -19,13 +19,13 @@ int sun_direction_f64(double latitude, double declination, double hour_angle, do
 {
   int status = ARMILLARY_OK;
 
-  if (!(fabs(latitude) <= 1.0e3) ||
-      !(fabs(declination) <= 1.0e3) ||
-      !(fabs(hour_angle) <= 1.0e3)) {
+  if (!(fabs(latitude) <= 1000.0) ||
+      !(fabs(declination) <= 1000.0) ||
+      !(fabs(hour_angle) <= 1000.0)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(latitude) <= DBL_MAX) && !(fabs(latitude) <= 1.0e3)) ||
-        ((fabs(declination) <= DBL_MAX) && !(fabs(declination) <= 1.0e3)) ||
-        ((fabs(hour_angle) <= DBL_MAX) && !(fabs(hour_angle) <= 1.0e3))) {
+    if (((fabs(latitude) <= DBL_MAX) && !(fabs(latitude) <= 1000.0)) ||
+        ((fabs(declination) <= DBL_MAX) && !(fabs(declination) <= 1000.0)) ||
+        ((fabs(hour_angle) <= DBL_MAX) && !(fabs(hour_angle) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

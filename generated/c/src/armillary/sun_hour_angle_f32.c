@@ -18,11 +18,11 @@ int sun_hour_angle_f32(float utc, float longitude, float equation_of_time, float
   int status = ARMILLARY_OK;
 
   if (!(fabsf(utc) <= 1.0e6f) ||
-      !(fabsf(longitude) <= 1.0e3f) ||
+      !(fabsf(longitude) <= 1000.0f) ||
       !(fabsf(equation_of_time) <= 1.0e6f)) {
     status = ARMILLARY_NOT_FINITE;
     if (((fabsf(utc) <= FLT_MAX) && !(fabsf(utc) <= 1.0e6f)) ||
-        ((fabsf(longitude) <= FLT_MAX) && !(fabsf(longitude) <= 1.0e3f)) ||
+        ((fabsf(longitude) <= FLT_MAX) && !(fabsf(longitude) <= 1000.0f)) ||
         ((fabsf(equation_of_time) <= FLT_MAX) && !(fabsf(equation_of_time) <= 1.0e6f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }

@@ -20,11 +20,11 @@ int sun_hour_angle_f64(double utc, double longitude, double equation_of_time, do
   int status = ARMILLARY_OK;
 
   if (!(fabs(utc) <= 1.0e6) ||
-      !(fabs(longitude) <= 1.0e3) ||
+      !(fabs(longitude) <= 1000.0) ||
       !(fabs(equation_of_time) <= 1.0e6)) {
     status = ARMILLARY_NOT_FINITE;
     if (((fabs(utc) <= DBL_MAX) && !(fabs(utc) <= 1.0e6)) ||
-        ((fabs(longitude) <= DBL_MAX) && !(fabs(longitude) <= 1.0e3)) ||
+        ((fabs(longitude) <= DBL_MAX) && !(fabs(longitude) <= 1000.0)) ||
         ((fabs(equation_of_time) <= DBL_MAX) && !(fabs(equation_of_time) <= 1.0e6))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }

@@ -19,14 +19,14 @@ int sun_rates_f32(
 {
   int status = ARMILLARY_OK;
 
-  if (!(fabsf(latitude) <= 1.0e3f) ||
-      !(fabsf(declination) <= 1.0e3f) ||
-      !(fabsf(hour_angle) <= 1.0e3f) ||
+  if (!(fabsf(latitude) <= 1000.0f) ||
+      !(fabsf(declination) <= 1000.0f) ||
+      !(fabsf(hour_angle) <= 1000.0f) ||
       !(fabsf(hour_angle_rate) <= 1.0e6f)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(latitude) <= FLT_MAX) && !(fabsf(latitude) <= 1.0e3f)) ||
-        ((fabsf(declination) <= FLT_MAX) && !(fabsf(declination) <= 1.0e3f)) ||
-        ((fabsf(hour_angle) <= FLT_MAX) && !(fabsf(hour_angle) <= 1.0e3f)) ||
+    if (((fabsf(latitude) <= FLT_MAX) && !(fabsf(latitude) <= 1000.0f)) ||
+        ((fabsf(declination) <= FLT_MAX) && !(fabsf(declination) <= 1000.0f)) ||
+        ((fabsf(hour_angle) <= FLT_MAX) && !(fabsf(hour_angle) <= 1000.0f)) ||
         ((fabsf(hour_angle_rate) <= FLT_MAX) && !(fabsf(hour_angle_rate) <= 1.0e6f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }

@@ -21,14 +21,14 @@ int sun_rates_f64(
 {
   int status = ARMILLARY_OK;
 
-  if (!(fabs(latitude) <= 1.0e3) ||
-      !(fabs(declination) <= 1.0e3) ||
-      !(fabs(hour_angle) <= 1.0e3) ||
+  if (!(fabs(latitude) <= 1000.0) ||
+      !(fabs(declination) <= 1000.0) ||
+      !(fabs(hour_angle) <= 1000.0) ||
       !(fabs(hour_angle_rate) <= 1.0e6)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(latitude) <= DBL_MAX) && !(fabs(latitude) <= 1.0e3)) ||
-        ((fabs(declination) <= DBL_MAX) && !(fabs(declination) <= 1.0e3)) ||
-        ((fabs(hour_angle) <= DBL_MAX) && !(fabs(hour_angle) <= 1.0e3)) ||
+    if (((fabs(latitude) <= DBL_MAX) && !(fabs(latitude) <= 1000.0)) ||
+        ((fabs(declination) <= DBL_MAX) && !(fabs(declination) <= 1000.0)) ||
+        ((fabs(hour_angle) <= DBL_MAX) && !(fabs(hour_angle) <= 1000.0)) ||
         ((fabs(hour_angle_rate) <= DBL_MAX) && !(fabs(hour_angle_rate) <= 1.0e6))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }

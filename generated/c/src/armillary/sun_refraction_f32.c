@@ -19,12 +19,12 @@ int sun_refraction_f32(float elevation, float pressure, float temperature, float
 
   if (!(fabsf(elevation) <= 1.6f) ||
       !((pressure >= 0.0f) && (pressure <= 1.0e6f)) ||
-      !((temperature >= 1.0e2f) && (temperature <= 1.0e3f))) {
+      !((temperature >= 100.0f) && (temperature <= 1000.0f))) {
     status = ARMILLARY_NOT_FINITE;
     if (((fabsf(elevation) <= FLT_MAX) && !(fabsf(elevation) <= 1.6f)) ||
         ((fabsf(pressure) <= FLT_MAX) && !((pressure >= 0.0f) && (pressure <= 1.0e6f))) ||
         ((fabsf(temperature) <= FLT_MAX) &&
-         !((temperature >= 1.0e2f) && (temperature <= 1.0e3f)))) {
+         !((temperature >= 100.0f) && (temperature <= 1000.0f)))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

@@ -22,11 +22,11 @@ int sun_refraction_f64(
 
   if (!(fabs(elevation) <= 1.6) ||
       !((pressure >= 0.0) && (pressure <= 1.0e6)) ||
-      !((temperature >= 1.0e2) && (temperature <= 1.0e3))) {
+      !((temperature >= 100.0) && (temperature <= 1000.0))) {
     status = ARMILLARY_NOT_FINITE;
     if (((fabs(elevation) <= DBL_MAX) && !(fabs(elevation) <= 1.6)) ||
         ((fabs(pressure) <= DBL_MAX) && !((pressure >= 0.0) && (pressure <= 1.0e6))) ||
-        ((fabs(temperature) <= DBL_MAX) && !((temperature >= 1.0e2) && (temperature <= 1.0e3)))) {
+        ((fabs(temperature) <= DBL_MAX) && !((temperature >= 100.0) && (temperature <= 1000.0)))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {

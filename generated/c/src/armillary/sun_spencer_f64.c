@@ -19,9 +19,9 @@ int sun_spencer_f64(double day, double *declination, double *equation_of_time)
 {
   int status = ARMILLARY_OK;
 
-  if (!(fabs(day) <= 1.0e3)) {
+  if (!(fabs(day) <= 1000.0)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(day) <= DBL_MAX) && !(fabs(day) <= 1.0e3))) {
+    if (((fabs(day) <= DBL_MAX) && !(fabs(day) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {
