@@ -14,7 +14,9 @@ if TYPE_CHECKING:
 else:
 
     def __getattr__(name: str) -> object:
-        """One of the words of `armillary.vocabulary`."""
+        """One of the words of `armillary.vocabulary`; `__all__` is what a star imports."""
+        if name == "__all__":
+            return import_module("armillary.vocabulary").__all__
         if not name.startswith("__"):
             vocabulary = import_module("armillary.vocabulary")
             if name in vocabulary.__all__:

@@ -180,21 +180,24 @@ def generate(systems: tuple[str, ...], check: bool) -> None:
     is_flag=True,
     help="Measure the kernels anew and write derivations/*/tolerances.json.",
 )
-def check(systems: tuple[str, ...], update_tolerances: bool) -> None:
+@click.option("-v", "--verbose", is_flag=True, help="A row for every check.")
+def check(systems: tuple[str, ...], update_tolerances: bool, verbose: bool) -> None:
     """Check SYSTEMS, or all, against identities and independent engines.
 
-    A row tells the engine, the number of points, the worst difference and what is allowed. An
+    A row tells the engine, how many checks it made, at how many points, and the part of what is
+    allowed that the worst of them took up. What fails or is skipped has a row of its own. An
     engine that is not installed is skipped by name; `pip install 'armillary[check]'` brings all of
-    them. The results go to build/checks.json, for the pages.
+    them. The results go to build/checks.json, for the pages and for `armillary show`.
 
     \b
     Examples:
       armillary check
+      armillary check -v sun
       armillary check my_tracker --update-tolerances
     """
     from armillary.project.checks import check as run
 
-    if not run(_project(), systems, update_tolerances, _say):
+    if not run(_project(), systems, update_tolerances, _say, verbose):
         raise SystemExit(1)
 
 
