@@ -157,11 +157,13 @@ class Choice(Vector):
         nested: carried from the innermost frame out.
         summed: a sum of terms, each carried to the base by itself.
         merged: nested, with parallel axes turned by the sum of their angles.
+        inner: cross products with a joint's axis taken after the joint's own turn.
     """
 
     nested: Vector
     summed: Vector
     merged: Vector
+    inner: Vector
 
 
 @dataclass(frozen=True, eq=False)
@@ -240,9 +242,9 @@ def cross(left: Vector, right: Vector) -> Vector:
     return Cross(left, right)
 
 
-def choice(nested: Vector, summed: Vector, merged: Vector) -> Vector:
-    """One vector in three equal forms; a null vector has no form to choose."""
-    return nested if is_null(nested) else Choice(nested, summed, merged)
+def choice(nested: Vector, summed: Vector, merged: Vector, inner: Vector | None = None) -> Vector:
+    """One vector in its equal forms; a null vector has no form to choose."""
+    return nested if is_null(nested) else Choice(nested, summed, merged, inner or nested)
 
 
 def norm(node: Vector) -> Scalar:

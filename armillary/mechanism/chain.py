@@ -264,6 +264,7 @@ def _column(steps: tuple[Step, ...], variable: Symbol, point: v.Vector) -> Twist
         _local_push(steps, seed, point),
         _base_push(steps, seed, point),
         _local_push(parallel, seed, point),
+        _local_push(steps, seed, point, inner=True),
     )
     d = Differentiator(seed)
     angular = v.choice(_spin(steps, d), _spin(steps, d), _spin(parallel, d))
@@ -279,17 +280,24 @@ def _spin(steps: tuple[Step, ...], d: Differentiator) -> v.Vector:
     return total
 
 
-def _local_push(steps: tuple[Step, ...], seed: Seed, point: v.Vector) -> v.Vector:
-    """Axis x arm in the frame where the axis is a basis vector, then carried to the base."""
+def _local_push(
+    steps: tuple[Step, ...], seed: Seed, point: v.Vector, inner: bool = False
+) -> v.Vector:
+    """Axis x arm in a frame where the axis is a basis vector, then carried to the base.
+
+    The axis is one before and after the joint's own turn. With `inner` the product is taken after
+    it, where an arm that is not turned yet may be a basis vector too.
+    """
     d = Differentiator(seed)
     total = rotate(_rotation(steps), d.vector(point))
     for k, step in enumerate(steps):
         if isinstance(step, Turn):
-            arm = _position(steps[k:], point)
+            at = k + 1 if inner else k
+            arm = _position(steps[at:], point)
             push = v.scale(d.scalar(step.angle), v.cross(v.Basis(step.axis), arm))
         else:
-            push = d.vector(step.offset)
-        total = v.add_vectors(total, rotate(_rotation(steps[:k]), push))
+            at, push = k, d.vector(step.offset)
+        total = v.add_vectors(total, rotate(_rotation(steps[:at]), push))
     return total
 
 

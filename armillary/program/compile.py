@@ -9,11 +9,12 @@ from armillary.derivation.statements import Kernel
 from armillary.program.arithmetic import Reals
 from armillary.program.cost import Cost, cost
 from armillary.program.evaluate import evaluate
-from armillary.program.lower import Strategy, lower, strategies
+from armillary.program.lower import Strategy, lower
 from armillary.program.passes import PASSES
 from armillary.program.program import Program
 from armillary.program.sample import sample_points
 from armillary.program.scalarise import scalarise
+from armillary.program.search import Found, cheapest
 
 Pass = Callable[[Program], Program]
 AGREEMENT = "1e-40"
@@ -25,31 +26,27 @@ class PassError(AssertionError):
 
 @dataclass(frozen=True)
 class Compiled:
-    """A kernel's program with the direction of evaluation that was chosen."""
+    """A kernel's program with the direction of evaluation that was chosen.
+
+    `local` counts the vectors that are computed in another way than the strategy's.
+    """
 
     program: Program
     strategy: Strategy
     cost: Cost
+    local: int
 
 
 def compile_kernel(kernel: Kernel) -> Compiled:
-    """Lower with every strategy, run the passes, keep the cheapest, prove it."""
-    best: Compiled | None = None
-    for strategy in strategies():
-        program = lower(kernel, strategy)
-        for step in (scalarise, *PASSES):
-            program = step(program)
-        found = Compiled(program, strategy, cost(program))
-        if best is None or found.cost.weighted < best.cost.weighted:
-            best = found
-    assert best is not None
-    _prove(kernel, best.strategy)
-    return best
+    """Find the cheapest program and prove every pass that led to it."""
+    found = cheapest(kernel)
+    _prove(kernel, found)
+    return Compiled(found.program, found.strategy, cost(found.program), len(found.local))
 
 
-def _prove(kernel: Kernel, strategy: Strategy) -> None:
+def _prove(kernel: Kernel, found: Found) -> None:
     """Run the passes again, comparing values and cost after each."""
-    program = lower(kernel, strategy)
+    program = lower(kernel, found.strategy, found.local)
     plain = lower(kernel, Strategy())
     points = sample_points(kernel, 2)
     expected = [_values(plain, point) for point in points]

@@ -2,11 +2,12 @@
 
 A `Strategy` fixes what the algebra leaves open: how a vector is carried through several rotations,
 in which direction a product of rotations is formed, and which of the equal forms of a vector is
-computed. `compile` lowers with every strategy and keeps the cheapest.
+computed. `search` lowers with every strategy and keeps the cheapest.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import singledispatchmethod
 from itertools import product
@@ -22,6 +23,10 @@ from armillary.derivation.quantity import Constant
 from armillary.derivation.statements import Kernel, Output
 from armillary.program.builder import Builder
 from armillary.program.program import Op, Program, Result
+
+
+FORMS = ("nested", "summed", "merged", "inner")
+CARRIES = ("steps", "matrix")
 
 
 @dataclass(frozen=True)
@@ -46,23 +51,44 @@ def strategies() -> list[Strategy]:
     """Every direction of evaluation; the first is the plain one and wins ties."""
     return [
         Strategy(carry, compose, form)
-        for form, carry, compose in product(
-            ("nested", "summed", "merged"), ("steps", "matrix"), ("inward", "outward")
-        )
+        for form, carry, compose in product(FORMS, CARRIES, ("inward", "outward"))
     ]
 
 
-def lower(kernel: Kernel, strategy: Strategy) -> Program:
-    """The structured program of a kernel under one strategy."""
-    lowering = _Lowering(strategy)
+Local = Mapping[v.Vector, str]
+
+
+@dataclass(frozen=True)
+class Decision:
+    """A vector that can be computed in more than one way, and the ways."""
+
+    node: v.Vector
+    options: tuple[str, ...]
+
+
+def lower(kernel: Kernel, strategy: Strategy, local: Local | None = None) -> Program:
+    """The structured program of a kernel under one strategy, with local departures from it."""
+    return _lowered(kernel, strategy, local)[0]
+
+
+def decisions(kernel: Kernel, strategy: Strategy, local: Local) -> list[Decision]:
+    """Where a kernel leaves the direction open, in the order met, with the ways not taken."""
+    return _lowered(kernel, strategy, local)[1]
+
+
+def _lowered(
+    kernel: Kernel, strategy: Strategy, local: Local | None
+) -> tuple[Program, list[Decision]]:
+    lowering = _Lowering(strategy, local or {})
     results = tuple(lowering.result(output) for output in kernel.outputs)
     cases = tuple((case.status, lowering(case.condition)) for case in kernel.cases)
-    return lowering.builder.finish(kernel, results, cases)
+    return lowering.builder.finish(kernel, results, cases), lowering.decisions
 
 
 class _Lowering:
-    def __init__(self, strategy: Strategy) -> None:
-        self.strategy = strategy
+    def __init__(self, strategy: Strategy, local: Local) -> None:
+        self.strategy, self.local = strategy, local
+        self.decisions: list[Decision] = []
         self.builder = Builder()
         self._done: dict[object, int] = {}
         self._columns: dict[tuple[object, ...], tuple[int, int, int]] = {}
@@ -71,6 +97,12 @@ class _Lowering:
         if node not in self._done:
             self._done[node] = self.translate(node)
         return self._done[node]
+
+    def decide(self, node: v.Vector, usual: str, options: tuple[str, ...]) -> str:
+        """The way a vector is computed here."""
+        taken = self.local.get(node, usual)
+        self.decisions.append(Decision(node, tuple(o for o in options if o != taken)))
+        return taken
 
     def result(self, output: Output) -> Result:
         value = output.value
@@ -301,14 +333,15 @@ class _Lowering:
     def _(self, node: v.Rotated) -> int:
         chain, vector = _flattened(node)
         chain, inner = self.chain(chain), self(vector)
-        if self.strategy.carry == "steps" or len(chain) < 3:
+        usual = self.strategy.carry if len(chain) > 2 else "steps"
+        if len(chain) < 2 or self.decide(node, usual, CARRIES) == "steps":
             return self.carry(chain, inner)
         parts = tuple(self.pick(inner, k) for k in range(3))
         return self.combination(parts, self._product(chain))
 
     @translate.register
     def _(self, node: v.Choice) -> int:
-        return self(getattr(node, self.strategy.form))
+        return self(getattr(node, self.decide(node, self.strategy.form, FORMS)))
 
     @translate.register
     def _(self, node: v.VectorReference) -> int:
