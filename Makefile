@@ -21,7 +21,7 @@ $(shell rm -f build/worked)
 
 .NOTPARALLEL:
 .PHONY: all help environment package katex generate check site serve lint test test-all benchmark \
-  benchmark-environment tools wheel lock clean distclean
+  benchmark-environment tools wheel try-wheel lock clean distclean
 
 all: site ## Set up, regenerate, check and build the site: all that changed since last time
 	@test -e build/worked || echo "Nothing to do: kernels, checks and site are up to date."
@@ -79,7 +79,7 @@ test-all: ## What CI runs: everything, and a missing tool is an error
 	$(MAKE) benchmark-environment
 	$(MAKE) test
 	$(BIN)/python -m benchmarks --check
-	$(MAKE) wheel
+	$(MAKE) try-wheel
 
 benchmark-environment: environment
 	$(ONCE) $(VENV)/stamps/benchmark --reads requirements/dev.txt requirements/benchmark.txt -- \
@@ -95,6 +95,9 @@ tools: ## Install compilers, browser and the other generators, where apt is perm
 wheel: katex generate ## dist/*.whl, with theme, KaTeX and kernels
 	@rm -rf build/lib build/bdist.*
 	$(BIN)/python -m build --quiet --wheel --no-isolation --outdir dist .
+
+try-wheel: wheel ## Install the wheel by itself and follow a chapter with it
+	$(BIN)/python tools/try_wheel.py dist/armillary-*.whl
 
 lock: environment ## Renew the lock files (UPGRADE=--upgrade takes the newest versions)
 	$(COMPILE) $(UPGRADE) --extra check --extra dev --output-file requirements/dev.txt pyproject.toml

@@ -38,7 +38,14 @@ setup(
     package_dir=PACKAGES,
     include_package_data=False,
     package_data={
-        "armillary": ["py.typed", "**/*.j2", "templates/**", "templates/**/.*", "site/theme/**"],
+        "armillary": [
+            "py.typed",
+            "**/*.j2",
+            "templates/**",
+            "templates/**/.*",
+            "site/theme/**",
+            "targets/runtime/*.py",
+        ],
         "armillary_kernels": ["py.typed"],
         "armillary_kernels._c": ["*.c", "*.h"],
     },

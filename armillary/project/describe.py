@@ -114,7 +114,8 @@ def _kernel(
         yield f"  {kernel.summary}"
     yield f"  {signature_of(project, kernel)};"
     yield f"  costs {made.cost}"
-    yield f"  evaluated with {made.strategy.form} vectors, carried by {made.strategy.carry}"
+    others = f", {made.local} of them otherwise" if made.local else ""
+    yield f"  evaluated with {made.strategy.form} vectors, carried by {made.strategy.carry}{others}"
     yield from _arguments(kernel, made.program.inputs_used())
     yield from _statuses(kernel)
     if alone:
