@@ -34,6 +34,7 @@ def test_random_chains_against_pinocchio(joints):
         "w": chain.angular_velocity(tip),
         "v": chain.velocity(tip),
         "body": chain.body_angular_velocity(tip),
+        "spatial": chain.spatial_velocity(tip),
     })  # fmt: skip
     program = compile_kernel(kernel).program
     mechanism = mechanism_of(joints)
@@ -46,6 +47,8 @@ def test_random_chains_against_pinocchio(joints):
         motion = mechanism.velocity(q, speed)
         near(value_of(program, point, "v"), motion[:3])
         near(value_of(program, point, "w"), motion[3:])
+        at_base = motion[:3] + np.cross(motion[3:], -mechanism.pose(q)[:3, 3])
+        near(value_of(program, point, "spatial"), at_base)
         near(value_of(program, point, "body"), mechanism.body_velocity(q, speed)[3:])
 
 

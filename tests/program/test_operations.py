@@ -1,5 +1,8 @@
 """How few operations the benchmark kernels need, each written as a text book writes it."""
 
+from dataclasses import dataclass
+
+import pytest
 import sympy
 
 from armillary import (
@@ -71,57 +74,77 @@ def test_heliostat_by_arc_tangents():
     assert cost.trigonometry <= 12
 
 
-AXES = (Z, Y, Y, X, Y, X)
-LINKS = ((2, "d1"), (2, "a2"), (0, "a3"), None, None, (0, "d6"))
+@dataclass(frozen=True)
+class Arm:
+    """Joint axes, and the axes of the links behind each joint."""
+
+    axes: tuple[int, ...]
+    links: tuple[tuple[int, ...], ...]
+
+    def named(self):
+        """For each joint its axis, its angle's name, and its links with their names."""
+        for k, (axis, links) in enumerate(zip(self.axes, self.links, strict=True), 1):
+            yield axis, f"q{k}", [(link, f"d{k}{'xyz'[link]}") for link in links]
 
 
-def test_six_axis_arm_against_common_subexpressions():
+ARMS = {
+    "spherical wrist": Arm((Z, Y, Y, X, Y, X), ((Z,), (Z,), (X,), (), (), (X,))),
+    "three parallel axes": Arm((Z, Y, Y, Y, Z, Y), ((Z,), (X,), (X,), (Y,), (Z,), (Y,))),
+    "offset shoulder": Arm((Z, Y, Y, Z, Y, Z), ((), (X, Y), (X, Z), (), (), (Z,))),
+    "tool on the wrist": Arm((Y, X, Z, X, Y, Z), ((X, Z), (), (Y,), (Y,), (), ())),
+    "no two axes parallel": Arm((X, Y, Z, X, Y, Z), ((Y,), (Z,), (X,), (), (Z,), (X, Y))),
+    "offsets everywhere": Arm((Z, X, Y, Z, X, Z), ((X, Z), (Y,), (X, Y), (Z,), (X,), (Y, Z))),
+}
+
+
+@pytest.mark.parametrize("arm", ARMS.values(), ids=list(ARMS))
+def test_six_axis_arm_against_common_subexpressions(arm):
     d = Derivation("arm", title="Arm")
-    q = tuple(d.angle(f"q{k}", "joint") for k in range(1, 7))
-    chain = Chain("base")
-    for axis, angle, link in zip(AXES, q, LINKS, strict=True):
-        chain = chain.rotate(axis, angle)
-        if link:
-            chain = chain.translate(link[0], d.parameter.length(link[1], "link"))
+    q, chain = [], Chain("base")
+    for axis, name, links in arm.named():
+        q.append(d.angle(name, "joint"))
+        chain = chain.rotate(axis, q[-1])
+        for along, length in links:
+            chain = chain.translate(along, d.parameter.length(length, "link"))
     chain = chain.translate(X, 0, frame="tool")
-    ours = compile_kernel(kernel_of(d, list(q), {"J": chain.jacobian("tool", q)})).cost
+    ours = compile_kernel(kernel_of(d, q, {"J": chain.jacobian("tool", tuple(q))})).cost
     for recipe in (by_differentiation, by_cross_products):
-        flops, calls = counted(recipe())
+        flops, calls = counted(recipe(arm))
         assert ours.flops <= flops
         assert ours.weighted <= flops + 40 * calls
 
 
-def frames():
+def frames(arm):
     """Joint frames and tool frame as full matrices, multiplied in order."""
     pose, found = sympy.eye(4), []
-    for k, (axis, link) in enumerate(zip(AXES, LINKS, strict=True), 1):
+    for axis, name, links in arm.named():
         turn = sympy.eye(4)
-        turn[:3, :3] = elementary_matrix(axis, symbol(f"q{k}"))
+        turn[:3, :3] = elementary_matrix(axis, symbol(name))
         pose = pose * turn
         found.append(pose)
-        if link:
+        for along, length in links:
             shift = sympy.eye(4)
-            shift[link[0], 3] = symbol(link[1])
+            shift[along, 3] = symbol(length)
             pose = pose * shift
     return found, pose
 
 
-def by_differentiation():
-    joints, tool = frames()
-    linear = tool[:3, 3].jacobian([symbol(f"q{k}") for k in range(1, 7)])
-    return linear.col_join(axes(joints))
+def by_differentiation(arm):
+    joints, tool = frames(arm)
+    linear = tool[:3, 3].jacobian([symbol(name) for _, name, _ in arm.named()])
+    return linear.col_join(axes(arm, joints))
 
 
-def by_cross_products():
-    joints, tool = frames()
+def by_cross_products(arm):
+    joints, tool = frames(arm)
     linear = sympy.zeros(3, 6)
-    for k, (frame, axis) in enumerate(zip(joints, AXES, strict=True)):
+    for k, (frame, axis) in enumerate(zip(joints, arm.axes, strict=True)):
         linear[:, k] = frame[:3, axis].cross(tool[:3, 3] - frame[:3, 3])
-    return linear.col_join(axes(joints))
+    return linear.col_join(axes(arm, joints))
 
 
-def axes(joints):
-    return sympy.Matrix.hstack(*(f[:3, x] for f, x in zip(joints, AXES, strict=True)))
+def axes(arm, joints):
+    return sympy.Matrix.hstack(*(f[:3, x] for f, x in zip(joints, arm.axes, strict=True)))
 
 
 def counted(matrix):
@@ -141,9 +164,10 @@ def counted(matrix):
     return flops, calls
 
 
-def test_the_explicit_form_has_the_same_jacobian():
-    """The two recipes above are the same matrix, so the comparison is fair."""
-    point = {symbol(f"q{k}"): sympy.Rational(k, 3) for k in range(1, 7)}
-    point |= {symbol(n): sympy.Rational(7, 5) for n in ("d1", "a2", "a3", "d6")}
-    difference = (by_differentiation() - by_cross_products()).subs(point).evalf(20)
-    assert max(abs(e) for e in difference) < 1e-18
+@pytest.mark.parametrize("arm", ARMS.values(), ids=list(ARMS))
+def test_both_recipes_give_one_jacobian(arm):
+    """So that the comparison is fair."""
+    difference = by_differentiation(arm) - by_cross_products(arm)
+    names = sorted(difference.free_symbols, key=str)
+    point = {name: sympy.Rational(k + 3, 7) for k, name in enumerate(names)}
+    assert max(abs(e) for e in difference.subs(point).evalf(20)) < 1e-18
