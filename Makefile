@@ -8,7 +8,8 @@ ONCE := @$(PYTHON) tools/once.py
 PYTEST_ARGS ?=
 
 # Read by every step that runs the engine.
-ENGINE := armillary pyproject.toml requirements/dev.txt
+ENGINE := $(addprefix armillary/,algebra derivation mechanism program targets vocabulary.py) \
+  pyproject.toml requirements/dev.txt
 SOURCES := $(ENGINE) derivations
 
 COMPILE := CUSTOM_COMPILE_COMMAND="make lock" $(BIN)/pip-compile --quiet --generate-hashes \
@@ -30,7 +31,7 @@ help: ## This list
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 24
 
 environment: ## .venv with exactly what requirements/dev.txt names
-	$(ONCE) $(VENV)/stamps/environment --reads requirements/dev.txt -- \
+	$(ONCE) $(VENV)/stamps/environment --reads requirements/dev.txt --makes $(BIN)/python -- \
 	  tools/environment.sh $(PYTHON) requirements/dev.txt
 
 package: environment
@@ -39,8 +40,8 @@ package: environment
 	  $(BIN)/pip install -qq --no-deps --no-build-isolation --editable .
 
 katex: environment ## Copy KaTeX into the theme, from npm by the lock file
-	$(ONCE) build/stamps/katex --reads package.json package-lock.json tools/copy_katex.py \
-	  --makes armillary/site/theme/assets/katex/katex.min.js -- \
+	$(ONCE) build/stamps/katex --reads package.json package-lock.json .npmrc tools/copy_katex.py \
+	  --makes $(addprefix armillary/site/theme/assets/katex/,katex.min.js katex.min.css LICENSE) -- \
 	  sh -c 'PATH="$(CURDIR)/$(BIN):$$PATH" npm ci --silent && $(BIN)/python tools/copy_katex.py'
 
 generate: package ## Regenerate the kernels that changed
@@ -49,11 +50,11 @@ generate: package ## Regenerate the kernels that changed
 	  $(BIN)/armillary generate
 
 check: generate ## Compare the kernels with identities and independent engines
-	$(ONCE) build/stamps/check --reads $(SOURCES) generated --makes build/checks.json -- \
+	$(ONCE) build/stamps/check --reads $(SOURCES) armillary/verify generated --makes build/checks.json -- \
 	  $(BIN)/armillary check
 
 site: katex check ## Build the site
-	$(ONCE) build/stamps/site --reads $(SOURCES) generated site_docs mkdocs.yml build/checks.json \
+	$(ONCE) build/stamps/site --reads $(SOURCES) armillary/site generated site_docs mkdocs.yml build/checks.json \
 	  --makes site/index.html -- $(BIN)/armillary site build
 
 serve: katex check ## Serve the site and rebuild it while you edit
@@ -70,7 +71,7 @@ lint: package ## Formatting, lint, types, import floors
 
 test: site lint ## Lint, then every test that this machine has the tools for
 	$(BIN)/armillary generate --check
-	$(BIN)/pytest $(PYTEST_ARGS)
+	PATH="$(CURDIR)/$(BIN):$$PATH" $(BIN)/pytest $(PYTEST_ARGS)
 	@$(PYTHON) tools/machine.py report
 
 test-all: export ARMILLARY_REQUIRE_ALL := 1

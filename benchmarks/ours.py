@@ -43,7 +43,7 @@ def armillary_rows() -> list[Row]:
             Generated("", c_source(derivation), call(derivation)),
             tool="Armillary",
             version=__version__,
-            recipe="text-book",
+            recipe="chain of joints",
         )
         for name, derivation in made.items()
     ]

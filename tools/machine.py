@@ -110,8 +110,9 @@ def install() -> int:
     if not _missing() and find_spec("ensurepip"):
         print("Every tool is there.")
         return 0
-    if as_root is not None:
-        subprocess.run([*as_root, "apt-get", "update", "-qq"], check=True)
+    update = ["apt-get", "update", "-qq"]
+    if as_root is not None and subprocess.run([*as_root, *update], check=False).returncode:
+        print("apt-get update failed: is there a network? Trying with the lists as they are.")
     packages = _packages(_missing())
     command = ["apt-get", "install", "-y", "--no-install-recommends", *packages]
     if as_root is None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import singledispatch
+from typing import overload
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
@@ -51,24 +52,27 @@ def of_time(leaf: s.Symbol | v.VectorSymbol) -> s.Scalar | v.Vector:
     return leaf.velocity()
 
 
-def time_derivative(node: s.Scalar) -> s.Scalar:
-    """Time derivative of a scalar."""
-    return Differentiator(of_time).scalar(node)
+@overload
+def time_derivative(node: s.Scalar) -> s.Scalar: ...
+@overload
+def time_derivative(node: v.Vector) -> v.Vector: ...
+def time_derivative(node: s.Scalar | v.Vector) -> s.Scalar | v.Vector:
+    """Time derivative of a scalar, or of a vector's components in its own frame."""
+    return _derivative(node, of_time)
 
 
-def vector_time_derivative(node: v.Vector) -> v.Vector:
-    """Time derivative of a vector's components in its own frame."""
-    return Differentiator(of_time).vector(node)
+@overload
+def partial(node: s.Scalar, symbol: s.Symbol) -> s.Scalar: ...
+@overload
+def partial(node: v.Vector, symbol: s.Symbol) -> v.Vector: ...
+def partial(node: s.Scalar | v.Vector, symbol: s.Symbol) -> s.Scalar | v.Vector:
+    """Partial derivative of a scalar or a vector by one symbol, all others held."""
+    return _derivative(node, partial_seed(symbol))
 
 
-def partial(node: s.Scalar, symbol: s.Symbol) -> s.Scalar:
-    """Partial derivative of a scalar by one symbol, all others held."""
-    return Differentiator(partial_seed(symbol)).scalar(node)
-
-
-def partial_vector(node: v.Vector, symbol: s.Symbol) -> v.Vector:
-    """Partial derivative of a vector by one symbol, all others held."""
-    return Differentiator(partial_seed(symbol)).vector(node)
+def _derivative(node: s.Scalar | v.Vector, seed: Seed) -> s.Scalar | v.Vector:
+    d = Differentiator(seed)
+    return d.vector(node) if isinstance(node, v.Vector) else d.scalar(node)
 
 
 def partial_seed(symbol: s.Symbol) -> Seed:

@@ -27,7 +27,6 @@ class Role(Enum):
 
     INPUT = "input"
     PARAMETER = "parameter"
-    STATE = "state"
     CONSTANT = "constant"
 
 

@@ -198,7 +198,7 @@ class Derivation(Quantities):
         from armillary.derivation.load import load_beside
 
         if name not in self.used:
-            self.used[name] = Used(load_beside(caller(), name), self)
+            self.used[name] = Used(load_beside(caller(), name))
         return self.used[name]
 
     @property
@@ -354,9 +354,8 @@ def _check_arguments(kernel: Kernel) -> None:
 class Used:
     """Another derivation, as seen from the one that uses it."""
 
-    def __init__(self, derivation: Derivation, user: Derivation) -> None:
+    def __init__(self, derivation: Derivation) -> None:
         self.derivation = derivation
-        self._user = user
 
     def __getitem__(self, name: str) -> Any:
         if name not in self.derivation.definitions:

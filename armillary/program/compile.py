@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 from armillary.derivation.statements import Kernel
@@ -16,7 +15,6 @@ from armillary.program.sample import sample_points
 from armillary.program.scalarise import scalarise
 from armillary.program.search import Found, cheapest
 
-Pass = Callable[[Program], Program]
 AGREEMENT = "1e-40"
 
 

@@ -24,7 +24,6 @@ from armillary.derivation.statements import Kernel, Output
 from armillary.program.builder import Builder
 from armillary.program.program import Op, Program, Result
 
-
 FORMS = ("nested", "summed", "merged", "inner")
 CARRIES = ("steps", "matrix")
 

@@ -108,14 +108,13 @@ def _project(root: Path, settings: Mapping[str, Any], package: Mapping[str, Any]
         raise ProjectError(
             f"{where} does not name the kernel package", 'add kernels = "my_kernels"'
         )
-    usual = "armillary" if kernels == "armillary_kernels" else kernels
     version: object = settings.get("version", package.get("version", ""))
     if not isinstance(version, str) or not _VERSION.match(version):
         raise ProjectError(f"{where}: version {version!r}", 'write version = "0.1.0"')
     return Project(
         root,
         _name(where, "kernels", kernels),
-        _name(where, "c_folder", settings.get("c_folder", usual)),
+        _name(where, "c_folder", settings.get("c_folder", kernels)),
         _name(where, "c_prefix", settings.get("c_prefix", ""), empty=True),
         _precisions(where, settings.get("precisions", list(PRECISIONS))),
         version,

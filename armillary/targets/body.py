@@ -21,39 +21,58 @@ LARGEST_EXPRESSION = 6
 _OWN_LINE = frozenset({Op.SIN, Op.COS, Op.SQRT, Op.ATAN2, Op.DIVIDE, Op.SELECT})
 
 
+FUNCTIONS = {Op.SQRT: "sqrt", Op.SIN: "sin", Op.COS: "cos", Op.ATAN2: "atan2", Op.ABSOLUTE: "abs"}
+
+
 class Language(ABC):
-    """How one language writes the operations; each operand comes ready to be used inside."""
+    """How one language writes the operations; each operand comes ready to be used inside.
+
+    The signs of arithmetic are those of every language met so far; the rest differs.
+    """
 
     @abstractmethod
-    def constant(self, value: sympy.Expr) -> str: ...
+    def constant(self, value: sympy.Expr) -> str:
+        """A literal."""
+
     @abstractmethod
-    def negate(self, a: str) -> str: ...
+    def call(self, function: str, *arguments: str) -> str:
+        """A call of `sqrt`, `sin`, `cos`, `atan2` (y first) or `abs`."""
+
     @abstractmethod
-    def add(self, a: str, b: str) -> str: ...
+    def both(self, a: str, b: str) -> str:
+        """Whether two conditions hold."""
+
     @abstractmethod
-    def subtract(self, a: str, b: str) -> str: ...
+    def invert(self, a: str) -> str:
+        """Whether a condition does not hold."""
+
     @abstractmethod
-    def multiply(self, a: str, b: str) -> str: ...
-    @abstractmethod
-    def divide(self, a: str, b: str) -> str: ...
-    @abstractmethod
-    def sqrt(self, a: str) -> str: ...
-    @abstractmethod
-    def sin(self, a: str) -> str: ...
-    @abstractmethod
-    def cos(self, a: str) -> str: ...
-    @abstractmethod
-    def atan2(self, a: str, b: str) -> str: ...
-    @abstractmethod
-    def absolute(self, a: str) -> str: ...
-    @abstractmethod
-    def less(self, a: str, b: str) -> str: ...
-    @abstractmethod
-    def both(self, a: str, b: str) -> str: ...
-    @abstractmethod
-    def invert(self, a: str) -> str: ...
-    @abstractmethod
-    def select(self, condition: str, then: str, otherwise: str) -> str: ...
+    def select(self, condition: str, then: str, otherwise: str) -> str:
+        """One of two values."""
+
+    def negate(self, a: str) -> str:
+        """The other sign."""
+        return f"-{a}"
+
+    def add(self, a: str, b: str) -> str:
+        """A sum."""
+        return f"{a} + {b}"
+
+    def subtract(self, a: str, b: str) -> str:
+        """A difference."""
+        return f"{a} - {b}"
+
+    def multiply(self, a: str, b: str) -> str:
+        """A product."""
+        return f"{a} * {b}"
+
+    def divide(self, a: str, b: str) -> str:
+        """A quotient."""
+        return f"{a} / {b}"
+
+    def less(self, a: str, b: str) -> str:
+        """Whether a is below b."""
+        return f"{a} < {b}"
 
     def inside(self, expression: str) -> str:
         """An expression as an operand of another."""
@@ -163,14 +182,8 @@ class _Writer:
         }
         if i.op in methods:
             return methods[i.op](*(self._operand(a) for a in i.args)), False
-        calls: dict[Op, Callable[..., str]] = {
-            Op.SQRT: self.language.sqrt,
-            Op.SIN: self.language.sin,
-            Op.COS: self.language.cos,
-            Op.ATAN2: self.language.atan2,
-            Op.ABSOLUTE: self.language.absolute,
-        }
-        return calls[i.op](*(self.written[a][0] for a in i.args)), True
+        arguments = (self.written[a][0] for a in i.args)
+        return self.language.call(FUNCTIONS[i.op], *arguments), True
 
     def _sum(self, left: int, right: int) -> str:
         """A sum with a negated term is a difference."""

@@ -28,44 +28,15 @@ class C(Language):
     def constant(self, value: sympy.Expr | float) -> str:
         return shortest(value, self.precision) + self.suffix
 
-    def negate(self, a: str) -> str:
-        return f"-{a}"
-
-    def add(self, a: str, b: str) -> str:
-        return f"{a} + {b}"
-
-    def subtract(self, a: str, b: str) -> str:
-        return f"{a} - {b}"
-
-    def multiply(self, a: str, b: str) -> str:
-        return f"{a} * {b}"
-
-    def divide(self, a: str, b: str) -> str:
-        return f"{a} / {b}"
-
-    def sqrt(self, a: str) -> str:
-        return f"sqrt{self.suffix}({a})"
-
-    def sin(self, a: str) -> str:
-        return f"sin{self.suffix}({a})"
-
-    def cos(self, a: str) -> str:
-        return f"cos{self.suffix}({a})"
-
-    def atan2(self, a: str, b: str) -> str:
-        return f"atan2{self.suffix}({a}, {b})"
-
-    def absolute(self, a: str) -> str:
-        return f"fabs{self.suffix}({a})"
-
-    def less(self, a: str, b: str) -> str:
-        return f"{a} < {b}"
+    def call(self, function: str, *arguments: str) -> str:
+        name = "fabs" if function == "abs" else function
+        return f"{name}{self.suffix}({', '.join(arguments)})"
 
     def both(self, a: str, b: str) -> str:
         return f"{a} && {b}"
 
     def invert(self, a: str) -> str:
-        return f"!{self.inside(a)}" if not a.startswith("(") else f"!{a}"
+        return f"!{a}"
 
     def select(self, condition: str, then: str, otherwise: str) -> str:
         return f"{condition} ? {then} : {otherwise}"

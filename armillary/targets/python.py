@@ -34,38 +34,8 @@ class Python(Language):
     def constant(self, value: sympy.Expr | float) -> str:
         return shortest(value, F64)
 
-    def negate(self, a: str) -> str:
-        return f"-{a}"
-
-    def add(self, a: str, b: str) -> str:
-        return f"{a} + {b}"
-
-    def subtract(self, a: str, b: str) -> str:
-        return f"{a} - {b}"
-
-    def multiply(self, a: str, b: str) -> str:
-        return f"{a} * {b}"
-
-    def divide(self, a: str, b: str) -> str:
-        return f"{a} / {b}"
-
-    def sqrt(self, a: str) -> str:
-        return f"xp.sqrt({a})"
-
-    def sin(self, a: str) -> str:
-        return f"xp.sin({a})"
-
-    def cos(self, a: str) -> str:
-        return f"xp.cos({a})"
-
-    def atan2(self, a: str, b: str) -> str:
-        return f"xp.atan2({a}, {b})"
-
-    def absolute(self, a: str) -> str:
-        return f"xp.abs({a})"
-
-    def less(self, a: str, b: str) -> str:
-        return f"{a} < {b}"
+    def call(self, function: str, *arguments: str) -> str:
+        return f"xp.{function}({', '.join(arguments)})"
 
     def both(self, a: str, b: str) -> str:
         return f"xp.logical_and({a}, {b})"

@@ -15,7 +15,7 @@ from armillary import (
     unit,
     where,
 )
-from armillary.algebra.derivative import partial, vector_time_derivative
+from armillary.algebra.derivative import partial
 from armillary.algebra.explicit import Explicit, symbol, vector_symbol
 from armillary.algebra.rotation import elementary
 from armillary.algebra.vector import choice, vector
@@ -105,7 +105,7 @@ def test_scalar_rule(name):
 @pytest.mark.parametrize("name", VECTOR_RULES)
 def test_vector_rule(name):
     expression = VECTOR_RULES[name]
-    found = by_rule(vector_time_derivative(expression))
+    found = by_rule(time_derivative(expression))
     assert found == pytest.approx(by_sympy(expression), rel=1e-13, abs=1e-14)
     assert found == pytest.approx(by_duals(expression), rel=1e-13, abs=1e-14)
 
@@ -125,7 +125,7 @@ def test_random_scalars(expression):
 
 @given(VECTORS)
 def test_random_vectors(expression):
-    found = by_rule(vector_time_derivative(expression))
+    found = by_rule(time_derivative(expression))
     assert found == pytest.approx(by_duals(expression), rel=1e-12, abs=1e-12)
 
 

@@ -89,10 +89,10 @@ def test_a_common_factor_is_taken_out():
 
 
 def test_a_shared_product_is_left_alone():
-    program = opened(record, INPUTS, {"r": x * y + x * sin(y), "s": x * y})
-    shared = opened(record, INPUTS, {"r": x * y})
-    assert cost(factor_sums(program)).weighted <= cost(program).weighted
-    assert ops(shared).count(Op.MULTIPLY) == 1
+    shared = opened(record, INPUTS, {"r": x * y + x * sin(y), "s": x * y})
+    assert factor_sums(shared).instructions == shared.instructions
+    alone = opened(record, INPUTS, {"r": x * y + x * sin(y)})
+    assert factor_sums(alone).instructions != alone.instructions
 
 
 def test_two_divisions_share_a_reciprocal():

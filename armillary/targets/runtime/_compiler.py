@@ -2,6 +2,7 @@
 
 import hashlib
 import os
+import platform
 import shlex
 import shutil
 import subprocess
@@ -26,7 +27,8 @@ def library(sources: Path, extra: str) -> Path:
     files = sorted([*sources.glob("*.c"), *sources.glob("*.h")])
     if not files:
         raise FileNotFoundError(f"no C kernels in {sources}")
-    key = hashlib.sha256(" ".join([*compiler, *FLAGS, sys.platform, _version(compiler)]).encode())
+    machine = [sys.platform, platform.machine(), _version(compiler)]
+    key = hashlib.sha256(" ".join([*compiler, *FLAGS, *machine]).encode())
     for file in files:
         key.update(file.name.encode() + file.read_bytes())
     key.update(extra.encode())

@@ -29,9 +29,9 @@ int sun_day_limits_f32(float latitude, float declination, float *rise, float *se
     const float noon_height = cosf(latitude - declination); /* sun-noon_height */
     const float crossing = midnight_depth * noon_height; /* sun-crossing */
     const int crosses = 0.0f < crossing; /* sun-crosses */
-    const int t1 = !(crosses);
+    const int t1 = !crosses;
     const int t2 = noon_height < midnight_depth;
-    const int t3 = !(t2);
+    const int t3 = !t2;
     const int stays_up = t1 && t3; /* sun-stays_up */
     const int stays_down = t1 && t2; /* sun-stays_down */
     const int beyond_pole = (midnight_depth + noon_height) < 0.0f; /* sun-beyond_pole */

@@ -31,9 +31,9 @@ int sun_day_limits_f64(double latitude, double declination, double *rise, double
     const double noon_height = cos(latitude - declination); /* sun-noon_height */
     const double crossing = midnight_depth * noon_height; /* sun-crossing */
     const int crosses = 0.0 < crossing; /* sun-crosses */
-    const int t1 = !(crosses);
+    const int t1 = !crosses;
     const int t2 = noon_height < midnight_depth;
-    const int t3 = !(t2);
+    const int t3 = !t2;
     const int stays_up = t1 && t3; /* sun-stays_up */
     const int stays_down = t1 && t2; /* sun-stays_down */
     const int beyond_pole = (midnight_depth + noon_height) < 0.0; /* sun-beyond_pole */
