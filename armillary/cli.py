@@ -35,6 +35,13 @@ class _Group(click.Group):
                 raise
             click.echo(f"error: {problem}", err=True)
             ctx.exit(1)
+        except OSError as problem:
+            # A full disk, a folder that may not be written: nothing here can be mended in code.
+            if ctx.params.get("debug") or problem.filename is None:
+                raise
+            click.echo(f"error: {problem.filename}: {problem.strerror}", err=True)
+            click.echo("  mend: see that the project's folder can be written", err=True)
+            ctx.exit(1)
 
 
 @click.group(cls=_Group, context_settings={"help_option_names": ["-h", "--help"]})
@@ -222,7 +229,7 @@ def site_build(out: Path | None, strict: bool) -> None:
     """
     from armillary.site.build import build_site
 
-    _say(f"built {build_site(_project().root, out, strict) / 'index.html'}")
+    _say(f"built {build_site(_project().root, out, strict, _say) / 'index.html'}")
 
 
 @site.command("serve")

@@ -1,7 +1,7 @@
 """The words of a derivation; `armillary` offers them when one is first asked for."""
 
 from armillary.algebra.derivative import partial, time_derivative
-from armillary.algebra.direction import direction_angles, full_turn
+from armillary.algebra.direction import atan2_or_zero, direction_angles, full_turn
 from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench, hat, vee
 from armillary.algebra.rotation import Rotation, elementary
 from armillary.algebra.scalar import (
@@ -18,6 +18,7 @@ from armillary.algebra.scalar import (
     wrap,
 )
 from armillary.algebra.vector import unit, vector
+from armillary.derivation.motion import define_motion
 from armillary.derivation.quantity import Kind, Rate
 from armillary.derivation.record import Derivation
 from armillary.derivation.status import Status
@@ -40,7 +41,9 @@ __all__ = [
     "Z",
     "absolute",
     "atan2",
+    "atan2_or_zero",
     "cos",
+    "define_motion",
     "degrees",
     "direction_angles",
     "elementary",

@@ -38,6 +38,11 @@ def direction_angles(vector: v.Vector) -> tuple[s.Scalar, s.Scalar]:
     return Azimuth(vector), Elevation(vector)
 
 
+def atan2_or_zero(y: s.ScalarLike, x: s.ScalarLike, free: s.Condition) -> s.Scalar:
+    """`atan2(y, x)`, and 0 where the angle is free: (0, 0) is not met there."""
+    return s.atan2(s.where(free, s.ZERO, y), s.where(free, s.ONE, x))
+
+
 def full_turn(angle: s.Scalar) -> s.Scalar:
     """An angle from [-pi, pi] in [0, 2 pi); what rounds to 2 pi becomes 0."""
     turn = s.multiply(s.number(2), s.PI)

@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any, Union
 
 import sympy
 
+from armillary.algebra.misuse import MisuseError, not_a_condition, not_a_number, not_real, told
+
 if TYPE_CHECKING:
     from armillary.algebra.vector import Vector
 
@@ -52,11 +54,12 @@ class Scalar:
     def __neg__(self) -> Scalar:
         return negate(self)
 
-    def __pow__(self, exponent: int) -> Scalar:
-        if not isinstance(exponent, int):
-            return NotImplemented
-        if exponent < 1:
-            raise TypeError(f"only whole powers from 1 up are kept as products, not {exponent!r}")
+    def __pow__(self, exponent: float) -> Scalar:
+        if not isinstance(exponent, int) or exponent < 1:
+            raise MisuseError(
+                f"only whole powers from 1 up are kept as products, not {told(exponent)}",
+                "use sqrt(x) for x**0.5 and 1 / x**2 for x**-2",
+            )
         return self if exponent == 1 else multiply(self ** (exponent - 1), self)
 
     def __lt__(self, other: ScalarLike) -> Condition:
@@ -64,6 +67,12 @@ class Scalar:
 
     def __gt__(self, other: ScalarLike) -> Condition:
         return Less(as_scalar(other), self)
+
+    def __le__(self, other: ScalarLike) -> Condition:
+        raise MisuseError("<= does not compare here", "write ~(a > b) for a <= b")
+
+    def __ge__(self, other: ScalarLike) -> Condition:
+        raise MisuseError(">= does not compare here", "write ~(a < b) for a >= b")
 
 
 @dataclass(frozen=True, eq=False)
@@ -190,15 +199,21 @@ class Condition:
     """A truth value that a `where` or a status depends on."""
 
     def __and__(self, other: Condition) -> Condition:
-        return Both(self, other)
+        return Both(self, _condition(other))
+
+    def __rand__(self, other: Condition) -> Condition:
+        return Both(_condition(other), self)
+
+    def __or__(self, other: Condition) -> Condition:
+        raise MisuseError("| does not join conditions", "write ~(~a & ~b) for a | b")
 
     def __invert__(self) -> Condition:
         return Not(self)
 
     def __bool__(self) -> bool:
-        raise TypeError(
-            "a condition has no value while the derivation is written; "
-            "use where(condition, a, b) instead of if"
+        raise MisuseError(
+            "a condition has no value while the derivation is written",
+            "use where(condition, a, b) instead of if, & and ~ instead of and, or, not",
         )
 
 
@@ -242,8 +257,15 @@ PI = Number(sympy.pi)
 def number(value: int | float | Fraction | str | sympy.Expr) -> Number:
     """The exact number that was written: 23.45 is 2345/100, not its nearest binary fraction."""
     if isinstance(value, sympy.Expr):
+        if value.free_symbols or value is sympy.nan or value.is_real is False:
+            raise not_real(value)
         return Number(value)
-    exact = Fraction(str(value)) if isinstance(value, (float, str)) else Fraction(value)
+    if isinstance(value, bool):
+        raise not_a_number(value)
+    try:
+        exact = Fraction(str(value)) if isinstance(value, (float, str)) else Fraction(value)
+    except (ValueError, TypeError, ArithmeticError):
+        raise not_a_number(value) from None
     if exact == 0:
         return ZERO
     if exact == 1:
@@ -257,7 +279,17 @@ def as_scalar(value: Any) -> Scalar:
         return value
     if isinstance(value, (int, float, Fraction, str, sympy.Expr)):
         return number(value)
-    raise TypeError(f"expected a scalar or a number, not {value!r}")
+    raise MisuseError(
+        f"expected a scalar or a number, not {told(value)}",
+        "take a component (.x, .y, .z), a norm or a dot product of a vector; "
+        "turn other numbers into int, float or a decimal string",
+    )
+
+
+def _condition(value: Any) -> Condition:
+    if not isinstance(value, Condition):
+        raise not_a_condition(value)
+    return value
 
 
 def is_zero(node: Scalar) -> bool:
@@ -341,7 +373,7 @@ def hypot(x: ScalarLike, y: ScalarLike) -> Scalar:
 
 def where(condition: Condition, then: ScalarLike, otherwise: ScalarLike) -> Scalar:
     """`then` where the condition holds, else `otherwise`; both are evaluated."""
-    return Select(condition, as_scalar(then), as_scalar(otherwise))
+    return Select(_condition(condition), as_scalar(then), as_scalar(otherwise))
 
 
 def wrap(angle: ScalarLike) -> Scalar:

@@ -1,8 +1,13 @@
-"""Digests of definitions, so that a regeneration can say which of them changed."""
+"""Digests of definitions, kernels and systems.
+
+By them a regeneration says which definitions changed, and a reader of costs and checks sees whether
+these belong to the derivation as it stands. Words for the reader of a page do not count.
+"""
 
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Iterable
 from dataclasses import fields
 
 import sympy
@@ -10,6 +15,7 @@ import sympy
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.algebra.rotation import RotationReference
+from armillary.derivation.quantity import AnyQuantity
 from armillary.derivation.record import Derivation
 from armillary.derivation.statements import Definition, Kernel
 
@@ -22,11 +28,66 @@ def definition_digest(definition: Definition) -> str:
     return _Digest().of(definition.expression)[:16]
 
 
+def kernel_digest(derivation: Derivation, kernel: Kernel) -> str:
+    """A hash of all that a kernel is made from.
+
+    Its name, its arguments in order with their limits and ranges, its results, its cases, and the
+    definitions that these stand on.
+    """
+    digest = _Digest()
+    parts = [f"kernel {kernel.system} {kernel.name}"]
+    parts += [f"input {_argument(q)}" for q in kernel.inputs]
+    parts += [f"parameter {_argument(q)}" for q in kernel.parameters]
+    parts += [f"result {o.name} {o.unit} {digest.of(o.value)}" for o in kernel.outputs]
+    parts += [f"case {int(c.status)} {digest.of(c.condition)}" for c in kernel.cases]
+    parts += _definitions(kernel_definitions(derivation, kernel).values())
+    return _hash(parts)
+
+
+def system_digest(derivation: Derivation) -> str:
+    """A hash of all that a system states.
+
+    Its definitions and identities, those of other systems that they stand on, and its kernels.
+    """
+    digest = _Digest()
+    parts = [f"system {derivation.name}"]
+    parts += [f"quantity {_argument(q)}" for q in derivation.quantities.values()]
+    stated: list[object] = [d.value for d in derivation.definitions.values()]
+    for identity in derivation.identities:
+        sides = identity.left, identity.right
+        parts.append(f"identity {identity.claim} {' '.join(digest.of(side) for side in sides)}")
+        stated += sides
+    parts += _definitions(derivation.definitions.values())
+    parts += _definitions(_reached(derivation, stated).values())
+    parts += [kernel_digest(derivation, kernel) for kernel in derivation.kernels.values()]
+    return _hash(parts)
+
+
+def _definitions(definitions: Iterable[Definition]) -> list[str]:
+    return [f"definition {d.identifier} {definition_digest(d)}" for d in definitions]
+
+
+def _argument(quantity: AnyQuantity) -> str:
+    facts = quantity.facts
+    kind = f"{facts.role.value} {facts.kind.value} {facts.unit}"
+    return f"{quantity.name} {quantity.shape} {kind} {facts.limits} {facts.range}"
+
+
+def _hash(parts: Iterable[str]) -> str:
+    return hashlib.sha256("\n".join(parts).encode()).hexdigest()[:16]
+
+
 def kernel_definitions(derivation: Derivation, kernel: Kernel) -> dict[str, Definition]:
     """Every definition that a kernel's results and cases stand on, by id, in the order stated."""
+    values: list[object] = [o.value for o in kernel.outputs]
+    return _reached(derivation, [*values, *(c.condition for c in kernel.cases)])
+
+
+def _reached(derivation: Derivation, values: Iterable[object]) -> dict[str, Definition]:
+    """Every definition that some values stand on, by id, in the order stated."""
     found: set[str] = set()
     seen: set[int] = set()
-    stack: list[object] = [o.value for o in kernel.outputs] + [c.condition for c in kernel.cases]
+    stack = list(values)
     while stack:
         node = stack.pop()
         if id(node) in seen:

@@ -11,6 +11,7 @@ from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 
 from armillary.derivation.errors import DerivationError, Source
+from armillary.derivation.mends import told_and_mended
 from armillary.derivation.record import Derivation
 
 _loaded: ContextVar[dict[Path, Derivation] | None] = ContextVar("loaded", default=None)
@@ -90,11 +91,8 @@ def _run(path: Path) -> Derivation:
     except DerivationError:
         raise
     except Exception as problem:
-        raise DerivationError(
-            f"{type(problem).__name__}: {problem}",
-            "mend this line; the derivation could not be read to its end",
-            _last_line_in(path, problem),
-        ) from problem
+        source = _last_line_in(path, problem)
+        raise DerivationError(*told_and_mended(problem, source), source) from problem
     finally:
         sys.dont_write_bytecode = keep
     made = getattr(module, "derivation", None)

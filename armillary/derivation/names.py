@@ -34,22 +34,54 @@ RESERVED = {
     **dict.fromkeys(_MACROS.split(), "a macro of a C, Arduino or AVR header"),
     **dict.fromkeys(_OURS.split(), "used by the generated kernels themselves"),
 }
+# <float.h> claims every name of these families, and the generated headers the last one.
+_FAMILIES = ("FLT_", "DBL_", "LDBL_", "ARMILLARY_")
+# Names that only some things may not take. What stands in a header may meet <windows.h>, where
+# these are macros; a kernel's file has other names beside it, and a system's header a file name.
+_WINDOWS = "near far small hyper interface pascal cdecl IN OUT OPTIONAL CONST VOID TRUE FALSE"
+_OF_MODULES = "params ctx state setup step init update Any NamedTuple"
+_HEADERS = """assert complex ctype errno fenv float inttypes iso646 limits locale malloc math memory
+process setjmp signal stdalign stdarg stdatomic stdbool stddef stdint stdio stdlib stdnoreturn
+string strings tgmath threads time uchar unistd wchar wctype windows"""
+
+_RESERVED_FOR = {
+    "quantity": dict.fromkeys(_WINDOWS.split(), "a macro of <windows.h>"),
+    "result": dict.fromkeys(_WINDOWS.split(), "a macro of <windows.h>"),
+    "kernel": dict.fromkeys(_OF_MODULES.split(), "used by the generated kernels themselves"),
+    "derivation": dict.fromkeys(_HEADERS.split(), "the name of a C header"),
+}
+_RESERVED_FOR["system"] = _RESERVED_FOR["derivation"]
 _IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 
 
 def check_name(name: str, what: str, source: Source) -> None:
-    """Refuse a name that a target language could not print."""
-    if not _IDENTIFIER.match(name) or "__" in name or name.endswith("_"):
+    """Refuse a name that a target language could not print.
+
+    Args:
+        what: a quantity, constant, definition, result, kernel, derivation or system.
+    """
+    if not _IDENTIFIER.match(str(name)) or "__" in name or name.endswith("_"):
         raise DerivationError(
             f"{name!r} cannot name a {what}",
             "use letters, digits and single underscores, beginning with a letter "
             "and ending without an underscore",
             source,
         )
-    if name in RESERVED:
-        raise DerivationError(
-            f"{name!r} cannot name a {what}: it is {RESERVED[name]}",
-            f"choose another name in code, such as {name}_0 or a longer word; "
-            "the page can still print the paper's symbol with latex=",
-            source,
-        )
+    claimed = _claimed(name, what)
+    if claimed is not None:
+        mend = f"choose another name in code, such as {_free(name)} or a longer word"
+        if what not in ("kernel", "derivation", "system"):
+            mend += "; the page can still print the paper's symbol with latex="
+        raise DerivationError(f"{name!r} cannot name a {what}: it is {claimed}", mend, source)
+
+
+def _claimed(name: str, what: str) -> str | None:
+    """By what a name is taken."""
+    if name.startswith(_FAMILIES):
+        return "one of a family of macros of C headers"
+    return RESERVED.get(name) or _RESERVED_FOR.get(what, {}).get(name)
+
+
+def _free(name: str) -> str:
+    """A name like one that is taken."""
+    return name.lower() if name.startswith(_FAMILIES) else f"{name}_0"

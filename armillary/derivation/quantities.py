@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from armillary.derivation.boxes import check_limits, check_range, range_within
+from armillary.derivation.checking import check_meaning
 from armillary.derivation.errors import caller
 from armillary.derivation.names import check_name
 from armillary.derivation.naming import latex_name
@@ -90,14 +92,21 @@ class Quantities:
     ) -> Facts:
         source = caller()
         check_name(name, "quantity", source)
+        check_meaning(name, meaning, source)
+        if limits is None:
+            limits = default_limits(unit, kind)
+        check_limits(name, kind, limits, source)
+        if range is None:
+            range = range_within(default_range(unit, kind), limits)
+        check_range(name, range, limits, source)
         return Facts(
             meaning=meaning,
             unit=unit,
             rate=rate or self._rate,
             role=self._role,
             kind=kind,
-            limits=limits or default_limits(unit, kind),
-            range=range or default_range(unit, kind),
+            limits=limits,
+            range=range,
             latex=latex or latex_name(name),
             source=source,
         )

@@ -10,7 +10,7 @@ import sympy
 
 from armillary.algebra.scalar import ZERO, Scalar, Symbol
 from armillary.algebra.vector import NULL, Vector, VectorSymbol
-from armillary.derivation.errors import DerivationError, Source
+from armillary.derivation.errors import DerivationError, Source, caller
 from armillary.derivation.units import METRE, ONE, RADIAN, Unit
 
 
@@ -81,6 +81,7 @@ class Quantity(Symbol):
             made = self.make_rate(self, name, meaning)
             assert isinstance(made, Symbol)
             self.known_rate["rate"] = made
+        _must_be_the_same(self.name, self.known_rate["rate"], name, meaning)
         return self.known_rate["rate"]
 
     def velocity(self) -> Scalar:
@@ -117,6 +118,7 @@ class VectorQuantity(VectorSymbol):
             made = self.make_rate(self, name, meaning)
             assert isinstance(made, VectorSymbol)
             self.known_rate["rate"] = made
+        _must_be_the_same(self.name, self.known_rate["rate"], name, meaning)
         return self.known_rate["rate"]
 
     def velocity(self) -> Vector:
@@ -148,6 +150,21 @@ def _must_be_held(name: str, facts: Facts) -> None:
             "or declare it with rate=Rate.DAY or Rate.MOUNT if it is held",
             facts.source,
         )
+
+
+def _must_be_the_same(
+    of: str, known: Symbol | VectorSymbol, name: str | None, meaning: str | None
+) -> None:
+    """A quantity has one rate: asking again may not ask for another name or meaning."""
+    assert isinstance(known, (Quantity, VectorQuantity))
+    if name in (None, known.name) and meaning in (None, known.facts.meaning):
+        return
+    raise DerivationError(
+        f"{of} already has the rate {known.name} ({known.facts.meaning})",
+        f"name it where it is first made, at {known.facts.source}, "
+        f"or ask for it by {of}.rate() alone",
+        caller(),
+    )
 
 
 AnyQuantity = Quantity | VectorQuantity

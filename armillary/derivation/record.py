@@ -7,7 +7,19 @@ from typing import Any, TypeVar
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
-from armillary.algebra.rigid import Pose, Twist, Wrench
+from armillary.derivation.checking import (
+    as_cases,
+    as_inputs,
+    as_outputs,
+    check_arguments,
+    check_expression,
+    check_identity,
+    check_meaning,
+    check_reach,
+    check_reason,
+    check_symbols,
+    check_unit,
+)
 from armillary.derivation.errors import DerivationError, Source, caller
 from armillary.derivation.names import check_name
 from armillary.derivation.naming import latex_name, named
@@ -24,21 +36,16 @@ from armillary.derivation.quantity import (
 )
 from armillary.derivation.statements import (
     Block,
-    Case,
     Definition,
     Identity,
     Kernel,
-    Output,
     Picture,
 )
 from armillary.derivation.status import Status
-from armillary.derivation.symbols import leaves
 from armillary.derivation.units import (
     ONE,
     SECOND,
     Unit,
-    UnitError,
-    check_block,
 )
 from armillary.mechanism.chain import Chain
 
@@ -82,6 +89,7 @@ class Derivation(Quantities):
         """A number with a name, a meaning and a unit; decimals are kept exactly as written."""
         source = caller()
         check_name(name, "constant", source)
+        check_meaning(name, meaning, source)
         exact = s.as_scalar(value)
         if not isinstance(exact, s.Number):
             raise DerivationError(
@@ -118,16 +126,14 @@ class Derivation(Quantities):
         source = caller()
         check_name(name, "definition", source)
         self._free(name, source)
-        if not because.strip():
-            raise DerivationError(
-                f"{name} gives no reason", "say in because= why this step is taken", source
-            )
-        self._check_symbols(f"definition {name}", expression, source)
-        found = self._check_unit(name, expression, unit, source)
+        because = check_reason(name, because, source)
+        check_expression(f"definition {name}", expression, source)
+        check_symbols(self, f"definition {name}", expression, source)
+        found = check_unit(name, expression, unit, source)
         identifier = f"{self.name}-{name}"
         value = named(name, identifier, expression)
         definition = Definition(
-            name, identifier, expression, value, because.strip(), meaning, printed, found,
+            name, identifier, expression, value, because, meaning, printed, found,
             latex or latex_name(name), source,
         )  # fmt: skip
         self.definitions[name] = definition
@@ -137,8 +143,7 @@ class Derivation(Quantities):
     def identity(self, claim: str, left: Block, right: Block) -> None:
         """State that two expressions are equal; `armillary check` proves it with SymPy."""
         source = caller()
-        for side in (left, right):
-            self._check_symbols(f"identity {claim!r}", side, source)
+        check_identity(self, claim, left, right, source)
         self.identities.append(Identity(claim, left, right, source))
 
     def kernel(
@@ -169,14 +174,14 @@ class Derivation(Quantities):
             self.name,
             name,
             summary,
-            tuple(self._as_input(q, name, source) for q in inputs),
+            as_inputs(self, inputs, name, source),
             self.parameters,
-            tuple(self._outputs(outputs, source)),
-            tuple(Case(*case) for case in cases),
+            as_outputs(self, outputs, name, source),
+            as_cases(cases, name, source),
             source,
         )
-        self._check_reach(made)
-        _check_arguments(made)
+        check_reach(made)
+        check_arguments(made)
         self.kernels[name] = made
 
     def assume(self, sentence: str) -> None:
@@ -242,113 +247,6 @@ class Derivation(Quantities):
         if isinstance(of, VectorQuantity):
             return self.vector(name, meaning, unit=unit, latex=latex, rate=Rate.TICK)
         return self.scalar(name, meaning, unit=unit, latex=latex, rate=Rate.TICK)
-
-    def _check_symbols(self, what: str, expression: Block, source: Source) -> None:
-        for leaf in leaves(expression):
-            known = self.quantities.get(leaf.name) or self.constants.get(leaf.name)
-            if known is leaf or any(leaf in used for used in self.used.values()):
-                continue
-            raise DerivationError(
-                f"{what} of {self.name} uses {leaf.name}, which {self.name} does not define",
-                f"declare it in this derivation, or take it from its own with "
-                f'd.use("<system>").quantity("{leaf.name}")',
-                source,
-            )
-
-    def _check_unit(
-        self, name: str, expression: Block, unit: Unit | None, source: Source
-    ) -> Unit | None:
-        try:
-            found = check_block(expression)
-        except UnitError as problem:
-            raise DerivationError(
-                f"units in {name}: {problem}",
-                "every term of a sum needs one unit, and angles go into sines; "
-                "check the symbols of this line in the notation table",
-                source,
-            ) from None
-        if unit is not None and found is not None and not unit.agrees(found):
-            raise DerivationError(
-                f"{name} is stated in {unit}, but its expression is in {found}",
-                "correct the unit= or the expression",
-                source,
-            )
-        return unit or found
-
-    def _as_input(
-        self, quantity: s.Symbol | v.VectorSymbol, kernel: str, source: Source
-    ) -> AnyQuantity:
-        if not isinstance(quantity, (Quantity, VectorQuantity)):
-            raise DerivationError(
-                f"an input of kernel {kernel} is not a quantity of {self.name}",
-                "list quantities made by d.angle, d.length, ... or a quantity's rate()",
-                source,
-            )
-        if quantity.facts.role is not Role.INPUT:
-            raise DerivationError(
-                f"{quantity.name} is a {quantity.facts.role.value}, not an input",
-                "leave it out of inputs=: every kernel gets all parameters by itself",
-                source,
-            )
-        return quantity
-
-    def _outputs(
-        self, outputs: Sequence[Block] | Mapping[str, Block], source: Source
-    ) -> list[Output]:
-        if not isinstance(outputs, Mapping):
-            by_name: dict[str, Block] = {}
-            for value in outputs:
-                definition = self.definition_of(value)
-                if definition is None:
-                    raise DerivationError(
-                        "an output is not a definition, so it has no name",
-                        "d.define it, or give outputs={'name': expression}",
-                        source,
-                    )
-                by_name[definition.name] = value
-            outputs = by_name
-        return [self._output(name, value, source) for name, value in outputs.items()]
-
-    def _output(self, name: str, value: Block, source: Source) -> Output:
-        check_name(name, "result", source)
-        self._check_symbols(f"result {name}", value, source)
-        definition = self.definition_of(value)
-        unit = definition.unit if definition else self._check_unit(name, value, None, source)
-        if isinstance(value, (Pose, Twist)):
-            value = value.matrix()
-        if isinstance(value, (Wrench, s.Condition)):
-            raise DerivationError(
-                f"result {name} is a {type(value).__name__.lower()}, which no kernel returns whole",
-                "return its parts as vectors",
-                source,
-            )
-        return Output(name, value, definition, unit)
-
-    def _check_reach(self, kernel: Kernel) -> None:
-        given = {id(q) for q in (*kernel.inputs, *kernel.parameters)}
-        wanted: list[tuple[str, object]] = [(f"result {o.name}", o.value) for o in kernel.outputs]
-        wanted += [(f"the case {c.status.name}", c.condition) for c in kernel.cases]
-        for what, value in wanted:
-            for leaf in leaves(value):
-                if id(leaf) not in given and not isinstance(leaf, Constant):
-                    raise DerivationError(
-                        f"{what} of kernel {kernel.name} needs {leaf.name}, "
-                        "which is neither an input of the kernel nor a parameter",
-                        f"add {leaf.name} to inputs=",
-                        kernel.source,
-                    )
-
-
-def _check_arguments(kernel: Kernel) -> None:
-    """Two arguments may not print as one name: a vector `v` prints as v_x, v_y and v_z too."""
-    names = kernel.argument_names()
-    twice = next((name for k, name in enumerate(names) if name in names[:k]), None)
-    if twice is not None:
-        raise DerivationError(
-            f"kernel {kernel.name} has two arguments that print as {twice}",
-            "rename one of them; the components of a vector v print as v_x, v_y, v_z",
-            kernel.source,
-        )
 
 
 class Used:

@@ -21,9 +21,10 @@ class Status(IntEnum):
 
 
 MEANINGS = {
-    Status.OK: "every output is exact to rounding",
+    Status.OK: "every output is as accurate as the rounding of the inputs allows",
     Status.CLAMPED: "the nearest reachable answer was returned",
-    Status.SINGULAR: "an angle is free here and was set to 0: hold that axis where it is",
+    Status.SINGULAR: "an angle is free here, or nearly, and was set to 0: "
+    "hold that axis where it is",
     Status.STICKING: "friction holds the mechanism at rest",
     Status.BELOW_HORIZON: "the sun does not rise",
     Status.LIMIT: "a limit of stroke was met",

@@ -82,8 +82,21 @@ _DERIVED = {
 }
 
 
+_SUMS = (
+    "every term of a sum needs one unit, and angles go into sines; "
+    "check the symbols of this line in the notation table"
+)
+_POSE = "a position is made of lengths: multiply an angle by the length of its arm"
+_TWIST = "Twist(angular, linear) takes an angular velocity in rad/s first, then a velocity in m/s"
+_WRENCH = "Wrench(moment, force) takes a moment in N*m first, then a force in N"
+
+
 class UnitError(Exception):
     """Two units do not fit."""
+
+    def __init__(self, problem: str, mend: str = _SUMS) -> None:
+        self.mend = mend
+        super().__init__(problem)
 
 
 class UnitOf:
@@ -109,7 +122,10 @@ class UnitOf:
     def _angle(self, node: s.Scalar, function: str) -> Unit:
         unit = self(node)
         if unit is not None and not unit.dimensionless:
-            raise UnitError(f"{function} of a quantity in {unit}: it takes an angle")
+            raise UnitError(
+                f"{function} of a quantity in {unit}: it takes an angle",
+                "divide by a quantity of the same unit, or correct the unit= of the symbol",
+            )
         return ONE
 
     @singledispatchmethod
@@ -276,13 +292,13 @@ def check_block(value: Block) -> Unit | None:
         units.rotation(value)
     elif isinstance(value, Pose):
         units.rotation(value.rotation)
-        _fits(units(value.position), METRE, "the position of a pose")
+        _fits(units(value.position), METRE, "the position of a pose", _POSE)
     elif isinstance(value, Twist):
-        _fits(units(value.angular), RADIAN / SECOND, "the angular part of a twist")
-        _fits(units(value.linear), METRE / SECOND, "the linear part of a twist")
+        _fits(units(value.angular), RADIAN / SECOND, "the angular part of a twist", _TWIST)
+        _fits(units(value.linear), METRE / SECOND, "the linear part of a twist", _TWIST)
     elif isinstance(value, Wrench):
-        _fits(units(value.moment), NEWTON_METRE, "the moment of a wrench")
-        _fits(units(value.force), NEWTON, "the force of a wrench")
+        _fits(units(value.moment), NEWTON_METRE, "the moment of a wrench", _WRENCH)
+        _fits(units(value.force), NEWTON, "the force of a wrench", _WRENCH)
     else:
         for row in value.rows:
             for entry in row:
@@ -290,6 +306,6 @@ def check_block(value: Block) -> Unit | None:
     return None
 
 
-def _fits(unit: Unit | None, wanted: Unit, what: str) -> None:
+def _fits(unit: Unit | None, wanted: Unit, what: str, mend: str) -> None:
     if unit is not None and not unit.agrees(wanted):
-        raise UnitError(f"{what} is in {unit}, it should be in {wanted}")
+        raise UnitError(f"{what} is in {unit}, it should be in {wanted}", mend)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from armillary.derivation.errors import DerivationError
 from armillary.derivation.statements import Kernel
 from armillary.program.arithmetic import Reals
 from armillary.program.cost import Cost, cost
@@ -36,10 +37,44 @@ class Compiled:
 
 
 def compile_kernel(kernel: Kernel) -> Compiled:
-    """Find the cheapest program and prove every pass that led to it."""
-    found = cheapest(kernel)
-    _prove(kernel, found)
+    """Find the cheapest program and prove every pass that led to it.
+
+    Raises:
+        DerivationError: when the kernel has no real value somewhere in its range.
+    """
+    try:
+        found = cheapest(kernel)
+        _prove(kernel, found)
+    except (ArithmeticError, TypeError, ValueError) as problem:
+        culprit = _without_value(kernel)
+        if culprit is None:
+            raise
+        raise DerivationError(
+            f"{culprit} of kernel {kernel.name} of {kernel.system} has no real value "
+            "everywhere in the range of its inputs: a root of something negative, "
+            "or a division by 0",
+            "guard it with where(condition, value, 1) before the root or the division, "
+            "or narrow range= of the quantities it stands on",
+            kernel.source,
+        ) from problem
     return Compiled(found.program, found.strategy, cost(found.program), len(found.local))
+
+
+def _without_value(kernel: Kernel) -> str | None:
+    """The first result or case that cannot be computed, each tried by itself."""
+    parts = [(f"result {o.name}", replace(kernel, outputs=(o,), cases=())) for o in kernel.outputs]
+    parts += [
+        (f"the case {c.status.name}", replace(kernel, outputs=(), cases=(c,))) for c in kernel.cases
+    ]
+    points = sample_points(kernel, 2)
+    for name, part in parts:
+        try:
+            program = lower(part, Strategy())
+            for point in points:
+                _compare("nothing", program, _values(program, point), _values(program, point))
+        except (ArithmeticError, TypeError, ValueError):
+            return name
+    return None
 
 
 def _prove(kernel: Kernel, found: Found) -> None:

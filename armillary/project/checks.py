@@ -10,6 +10,7 @@ from typing import Any
 from armillary.project.config import Project
 from armillary.project.generate import Say
 from armillary.verify import runner
+from armillary.verify.results import Outcome, write
 
 HEADER = f"{'state':<7} {'engine':<20} {'points':>7} {'worst':>8} {'allowed':>8}  claim"
 
@@ -25,7 +26,7 @@ def check(
     """
     systems = project.chosen(names)
     run = runner.update_tolerances if update else runner.run
-    outcomes: list[runner.Outcome] = []
+    outcomes: list[Outcome] = []
     for system, group in groupby(
         run(project.root, project.kernels, systems), key=lambda outcome: outcome.system
     ):
@@ -38,14 +39,14 @@ def check(
                 say(f"  {line}")
         outcomes += done
     if not update:
-        runner.write(project.root, outcomes)
+        write(project.root, outcomes)
     failed = sum(o.failed for o in outcomes)
     skipped = sum(o.skipped for o in outcomes)
     say(f"{len(outcomes) - failed - skipped} passed, {failed} failed, {skipped} skipped")
     return not failed
 
 
-def _told(group: Iterable[runner.Outcome], say: Say, verbose: bool) -> Iterator[runner.Outcome]:
+def _told(group: Iterable[Outcome], say: Say, verbose: bool) -> Iterator[Outcome]:
     """Pass outcomes on as they come, telling those that are worth a row."""
     for outcome in group:
         bad = outcome.failed or outcome.skipped
@@ -56,7 +57,7 @@ def _told(group: Iterable[runner.Outcome], say: Say, verbose: bool) -> Iterator[
         yield outcome
 
 
-def summary(outcomes: list[runner.Outcome]) -> list[str]:
+def summary(outcomes: list[Outcome]) -> list[str]:
     """A line for each engine, in the order met: checks, points, share of what is allowed."""
     lines = []
     for engine in dict.fromkeys(o.engine for o in outcomes if o.passed):
@@ -86,7 +87,7 @@ def _figure(value: float | None) -> str:
     return "-" if value is None else f"{value:.1e}" if value else "0"
 
 
-def _more(outcome: runner.Outcome) -> str:
+def _more(outcome: Outcome) -> str:
     """Why a check failed or was skipped, and at which inputs."""
     at = ", ".join(f"{name} = {value}" for name, value in outcome.at.items())
     return "; ".join(part for part in (outcome.why, f"at {at}" if at else "") if part)

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from textwrap import indent
-from typing import Any
 
 import sympy
 
@@ -21,9 +20,8 @@ from armillary.project.checks import row
 from armillary.project.config import Project
 from armillary.project.errors import ProjectError
 from armillary.project.work import signature_of
-from armillary.verify.runner import read as read_checks
-
-Checks = Sequence[Mapping[str, Any]]
+from armillary.verify.results import Standing, standing
+from armillary.verify.results import read as read_checks
 
 
 def show(project: Project, system: str, kernel: str | None, latex: bool) -> Iterator[str]:
@@ -39,7 +37,7 @@ def show(project: Project, system: str, kernel: str | None, latex: bool) -> Iter
         raise ProjectError(
             f"{system} has no kernel {kernel!r}", f"it has {', '.join(derivation.kernels)}"
         )
-    checks = [c for c in read_checks(project.root) if c["system"] == system]
+    checks = standing(project.root, derivation, read_checks(project.root))
     yield f"{system}: {derivation.title}"
     yield f"  {_place(project, derivation.source.path, derivation.source.line)}"
     if kernel is None:
@@ -49,7 +47,7 @@ def show(project: Project, system: str, kernel: str | None, latex: bool) -> Iter
     for one in chosen:
         yield from _kernel(project, derivation, one, checks, latex, alone=kernel is not None)
     if kernel is None:
-        yield from _checks("checks of the derivation", [c for c in checks if not c["kernel"]])
+        yield from _checks("checks of the derivation", checks, None)
 
 
 def _place(project: Project, path: str, line: int) -> str:
@@ -103,7 +101,7 @@ def _kernel(
     project: Project,
     derivation: Derivation,
     kernel: Kernel,
-    checks: Checks,
+    checks: Standing,
     latex: bool,
     alone: bool,
 ) -> Iterator[str]:
@@ -120,7 +118,7 @@ def _kernel(
     yield from _statuses(kernel)
     if alone:
         yield from _definitions(project, kernel_definitions(derivation, kernel).values(), latex)
-    yield from _checks("  checks", [c for c in checks if c["kernel"] == kernel.name])
+    yield from _checks("  checks", checks, kernel.name)
 
 
 def _arguments(kernel: Kernel, used: frozenset[str]) -> Iterator[str]:
@@ -143,8 +141,10 @@ def _statuses(kernel: Kernel) -> Iterator[str]:
     yield f"  {Status.NOT_FINITE:>4} NOT_FINITE, {Status.OUT_OF_RANGE} OUT_OF_RANGE: for inputs"
 
 
-def _checks(title: str, checks: Checks) -> Iterator[str]:
+def _checks(title: str, checks: Standing, kernel: str | None) -> Iterator[str]:
     margin = " " * (len(title) - len(title.lstrip()))
-    yield f"{title}:" if checks else f"{title}: none yet; run `armillary check`"
-    for check in checks:
+    rows = [row for row in checks.rows if row["kernel"] == kernel]
+    missing = "not checked since the last edit" if checks.outdated else "none yet"
+    yield f"{title}:" if rows else f"{title}: {missing}; run `armillary check`"
+    for check in rows:
         yield f"{margin}  {row(check)}"

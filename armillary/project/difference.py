@@ -8,9 +8,9 @@ from pathlib import Path
 
 from armillary.project.config import Project
 from armillary.project.generate import LOCK, Progress, Say
-from armillary.project.manifest import strangers
 from armillary.store.lock import locked_for_reading
 from armillary.store.transaction import in_flight
+from armillary.targets.manifest import strangers
 
 # Lines of one file's difference that are shown; the rest is counted.
 SHOWN = 200

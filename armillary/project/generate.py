@@ -8,13 +8,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from armillary.project.config import Project
-from armillary.project.manifest import (
-    MANIFEST,
-    Entry,
-    Manifest,
-    read_manifest,
-    strangers,
-)
 from armillary.project.report import system_report
 from armillary.project.stamp import (
     STAMP,
@@ -28,6 +21,13 @@ from armillary.project.stamp import (
 from armillary.store.files import digest, digest_of
 from armillary.store.lock import locked
 from armillary.store.transaction import Recovery, commit, recover
+from armillary.targets.manifest import (
+    MANIFEST,
+    Entry,
+    Manifest,
+    read_manifest,
+    strangers,
+)
 
 if TYPE_CHECKING:
     from armillary.project.work import Made

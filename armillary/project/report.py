@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from armillary.project.manifest import Entry, Facts
+from armillary.targets.manifest import Entry, Facts
 
 
 def operations(cost: Mapping[str, int]) -> str:

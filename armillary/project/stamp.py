@@ -14,8 +14,8 @@ from typing import Any
 
 import armillary
 from armillary.project.config import Project
-from armillary.project.manifest import Entry, engine_versions
 from armillary.store.files import digest, digest_of, replace_durably
+from armillary.targets.manifest import Entry, engine_versions
 
 STAMP = "generated.json"
 FORMAT = 1

@@ -17,7 +17,9 @@ from armillary.program.cost import Cost
 from armillary.program.lower import Strategy
 from armillary.project.config import Project
 from armillary.project.errors import ProjectError
-from armillary.project.manifest import (
+from armillary.targets.c import signature
+from armillary.targets.files import KernelFacts, Rendered, Target, render_shared, render_system
+from armillary.targets.manifest import (
     MANIFEST,
     Entry,
     Facts,
@@ -25,8 +27,6 @@ from armillary.project.manifest import (
     engine_versions,
     entry_of,
 )
-from armillary.targets.c import signature
-from armillary.targets.files import KernelFacts, Rendered, Target, render_shared, render_system
 
 
 @dataclass(frozen=True)
@@ -134,22 +134,24 @@ def _target(project: Project) -> Target:
 
 def _to_facts(facts: KernelFacts) -> Facts:
     return {
+        "stated": facts.stated,
         "digest": facts.digest,
         "cost": dataclasses.asdict(facts.cost),
         "strategy": dataclasses.asdict(facts.strategy),
         "definitions": dict(facts.definitions),
-        "signature": facts.signature,
+        "signatures": dict(facts.signatures),
     }
 
 
 def _from_facts(name: str, facts: Facts) -> KernelFacts:
     return KernelFacts(
         name=name,
+        stated=facts["stated"],
         digest=facts["digest"],
         cost=Cost(**facts["cost"]),
         strategy=Strategy(**facts["strategy"]),
         definitions=dict(facts["definitions"]),
-        signature=facts["signature"],
+        signatures=dict(facts["signatures"]),
     )
 
 

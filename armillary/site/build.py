@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import logging
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -21,26 +21,32 @@ from mkdocs.exceptions import Abort, ConfigurationError
 from mkdocs.utils.yaml import yaml_load
 
 from armillary.site.errors import SiteError
+from armillary.store.lock import locked
 
 _HERE = Path(__file__).parent
 THEME = _HERE / "theme"
 ADDRESS = "127.0.0.1:8000"
+_LOCK = Path("build") / "site.lock"
 
 
-def build_site(root: Path, out: Path | None = None, strict: bool = True) -> Path:
+def build_site(
+    root: Path, out: Path | None = None, strict: bool = True, say: Callable[[str], None] = print
+) -> Path:
     """Build the site of a project; tells the folder.
 
-    The old site stays until the new one is whole.
+    The old site stays until the new one is whole. Of two builds of a project one waits.
 
     Args:
         out: folder of the site; the `site_dir` of mkdocs.yml unless given.
         strict: whether a warning is an error.
+        say: takes lines for the person at the keyboard.
 
     Raises:
         SiteError: when the site cannot be built.
         DerivationError: for anything wrong in a derivation.
     """
-    with _plain_errors():
+    lock = locked(root / _LOCK, lambda: say("waiting for another build to finish"))
+    with _plain_errors(), lock:
         config = load_config(str(_config_file(root)), **_options(root), strict=strict)
         wanted = (out if out is not None else Path(config.site_dir)).resolve()
         draft = wanted.with_name(f".{wanted.name}.new")

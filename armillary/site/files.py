@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -12,8 +11,11 @@ from armillary.site.facts import read_facts
 from armillary.site.measured import measured_plots
 from armillary.site.pages import index_page, system_page
 from armillary.site.references import read_references
+from armillary.store.files import digest, digest_of, replace_durably
+from armillary.store.lock import locked
 
 FOLDER = "systems"
+_LOCK = Path("build") / "pages.lock"
 
 
 def write_pages(root: Path, docs: Path) -> dict[str, Derivation]:
@@ -30,7 +32,8 @@ def write_pages(root: Path, docs: Path) -> dict[str, Derivation]:
         texts[f"{name}.md"] = system_page(
             derivation, facts, references, measured_plots(root, name, facts)
         )
-    replace_folder(docs / FOLDER, texts)
+    with locked(root / _LOCK, lambda: None):  # held for a moment only
+        replace_folder(docs / FOLDER, texts)
     return derivations
 
 
@@ -48,12 +51,7 @@ def replace_folder(folder: Path, texts: Mapping[str, str]) -> list[str]:
 def _write(path: Path, text: str) -> bool:
     """Put a file in place as a whole, unless it is already so; a server watches its time."""
     data = text.encode()
-    if path.is_file() and path.read_bytes() == data:
+    if digest_of(path) == digest(data):
         return False
-    draft = path.with_name(f".{path.name}.{os.getpid()}")
-    try:
-        draft.write_bytes(data)
-        draft.replace(path)
-    finally:
-        draft.unlink(missing_ok=True)
+    replace_durably(path, data)
     return True

@@ -69,7 +69,7 @@ def _card(derivation: Derivation, kernel: Kernel, facts: Facts) -> Card:
         kernel.name,
         f"kernel-{derivation.name}-{kernel.name}",
         kernel.summary,
-        _c_signatures(printed.signature) if printed else (),
+        tuple(printed.signatures.values()) if printed else (),
         _python_signature(kernel) if printed else "",
         _costs(printed.cost) if printed else (),
         printed.digest[:12] if printed else "",
@@ -80,14 +80,6 @@ def _card(derivation: Derivation, kernel: Kernel, facts: Facts) -> Card:
         tuple(_answers(kernel)),
         tuple(definition_link(derivation, d) for d in definitions),
     )  # fmt: skip
-
-
-def _c_signatures(widest: str) -> tuple[str, ...]:
-    """The prototypes; the manifest has the one of the widest precision."""
-    if "_f64(" not in widest:
-        return (widest,)
-    narrow = widest.replace("_f64", "_f32").replace("double ", "float ")
-    return (narrow, widest)
 
 
 def _python_signature(kernel: Kernel) -> str:

@@ -13,13 +13,15 @@ from pathlib import Path
 from typing import Any
 
 from armillary.site.facts import Facts
+from armillary.store.files import replace_durably
+from armillary.store.lock import locked
 from armillary.verify.curves import Curve, Plot
 from armillary.verify.engines import EngineMissing
 from armillary.verify.implementations import generated_module
 from armillary.verify.runner import simulation_module
-from armillary.verify.tolerances import write_atomically
 
 _PYTHON = Path("generated") / "python"
+_LOCK = Path("build") / "plots.lock"
 
 
 def measured_plots(root: Path, system: str, facts: Facts) -> list[Plot]:
@@ -42,7 +44,8 @@ def measured_plots(root: Path, system: str, facts: Facts) -> list[Plot]:
     except EngineMissing:
         return []
     plain = json.dumps({"key": key, "plots": [asdict(plot) for plot in found]})
-    write_atomically(kept, plain + "\n")
+    with locked(root / _LOCK, lambda: None):  # held for a moment only
+        replace_durably(kept, (plain + "\n").encode())
     return _plots(json.loads(plain)["plots"])
 
 

@@ -61,7 +61,8 @@ def system_page(
     found = list(steps(derivation, notation))
     key = derivation.paper
     shortened = {angle for step in found for angle in step.compact}
-    checked = groups(derivation, facts.checks_of(derivation.name))
+    known = facts.checks_of(derivation)
+    checked = groups(derivation, known.rows)
     return _render(
         "system.md.j2",
         name=derivation.name,
@@ -78,6 +79,8 @@ def system_page(
         cards=cards(derivation, facts),
         kernels=set(derivation.kernels),
         groups=[group for group in checked if group.key != "proofs"],
+        outdated=known.outdated,
+        conventions=_has_conventions(derivation),
     )
 
 
@@ -123,6 +126,12 @@ def _proved(derivation: Derivation, notation: Notation, checked: list[Group]) ->
         Proved(claim(identity, notation), states.get(identity.claim, "skip"))
         for identity in derivation.identities
     ]
+
+
+def _has_conventions(derivation: Derivation) -> bool:
+    """Whether the project wrote the chapter that the page would point to."""
+    project = Path(derivation.source.path).resolve().parents[2]
+    return (project / "site_docs" / "conventions.md").is_file()
 
 
 def _render(template: str, **context: object) -> str:

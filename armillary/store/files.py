@@ -37,8 +37,11 @@ def write_durably(path: Path, data: bytes) -> None:
 
 
 def replace_durably(path: Path, data: bytes) -> None:
-    """Put new contents in the place of a file; at every moment it is the old one or the new."""
-    draft = path.with_name(path.name + ".new")
+    """Put new contents in the place of a file; at every moment it is the old one or the new.
+
+    The draft has one name: two processes that replace one file take a lock.
+    """
+    draft = path.with_name(f".{path.name}.new")
     write_durably(draft, data)
     draft.replace(path)
     sync_folder(path.parent)

@@ -100,6 +100,10 @@ def source_file(made: CKernel, target: CTarget, precision: str, abi: str) -> str
         f'#error "{header} is of another version than this file: copy both from one release"',
         "#endif",
         "",
+        "#if defined(__FINITE_MATH_ONLY__) && (__FINITE_MATH_ONLY__ > 0)",
+        '#error "the guards test for NaN and infinity: compile without -ffast-math"',
+        "#endif",
+        "",
         "#if defined(__clang__)",
         "#pragma STDC FP_CONTRACT OFF",
         "#endif",
@@ -171,7 +175,9 @@ def _file_comment(system: str, title: str) -> list[str]:
         " * SI units, radians, right-handed frames; vectors at the boundary are local",
         " * east-north-up unless stated. Matrices are flat and row-major. Every function returns",
         " * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,",
-        " * negative means that no result was written.",
+        " * negative means that no result was written. No pointer may be null. Inputs are read",
+        " * before results are written, so they may overlap. Where an input and a result have one",
+        " * name, the result's argument ends in _out.",
         " */",
     ]
 

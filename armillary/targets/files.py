@@ -9,7 +9,7 @@ from pathlib import Path
 from pprint import pformat
 
 from armillary.derivation.errors import DerivationError
-from armillary.derivation.fingerprint import definition_digest, kernel_definitions
+from armillary.derivation.fingerprint import definition_digest, kernel_definitions, kernel_digest
 from armillary.derivation.record import Derivation
 from armillary.derivation.statements import Kernel
 from armillary.program.compile import Compiled, compile_kernel
@@ -45,14 +45,22 @@ class Target:
 
 @dataclass(frozen=True)
 class KernelFacts:
-    """What is told of a kernel beside its text."""
+    """What is told of a kernel beside its text.
+
+    Attributes:
+        stated: digest of what the derivation states of it.
+        digest: of the program that was made of that.
+        definitions: digest of each that it stands on, by id.
+        signatures: its C prototypes by precision.
+    """
 
     name: str
+    stated: str
     digest: str
     cost: Cost
     strategy: Strategy
     definitions: dict[str, str]
-    signature: str
+    signatures: dict[str, str]
 
 
 @dataclass(frozen=True)
@@ -161,11 +169,12 @@ def _facts(derivation: Derivation, made: Compiled, target: Target) -> KernelFact
     definitions = kernel_definitions(derivation, kernel)
     return KernelFacts(
         kernel.name,
+        kernel_digest(derivation, kernel),
         made.program.digest(),
         made.cost,
         made.strategy,
         {identifier: definition_digest(d) for identifier, d in definitions.items()},
-        c.signature(kernel, target.c, target.precisions[-1]),
+        {p: c.signature(kernel, target.c, p) for p in target.precisions},
     )
 
 

@@ -170,6 +170,9 @@ def _docstring(made: PythonKernel, read: list[AnyQuantity], idle: list[AnyQuanti
     for case in kernel.cases:
         text = f"status {int(case.status)} ({case.status.name}): {case.because}"
         lines += _filled(text, " " * 8, " " * 12)
+    if made.program.guards:
+        text = "status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN"
+        lines += _filled(text, " " * 8, " " * 12)
     title = f"{summary[:1].upper()}{summary[1:].rstrip('.')}."
     first = _filled(f'"""{_documented(title)}', "    ", "    ")
     return [*first, *(_documented(line) for line in lines), '    """']

@@ -5,7 +5,8 @@ algebra made the derivative kernel's program. The two share nothing but the base
 
 Which kernel is the derivative of which is read off the names of CONVENTIONS: `velocity` and
 `jacobian` belong to `pose`, and a result `x_dot` or `x_rate` to the result `x` of any kernel whose
-inputs the first one has too.
+inputs the first one has too. A result that depends on rates, and whose name tells of no such pair,
+is reported as not covered.
 """
 
 from __future__ import annotations
@@ -20,15 +21,16 @@ from armillary.derivation.quantity import AnyQuantity
 from armillary.derivation.record import Derivation
 from armillary.derivation.statements import Kernel, Output
 from armillary.derivation.status import Status
+from armillary.derivation.symbols import leaves
 from armillary.program.arithmetic import DIGITS, Reals
 from armillary.program.evaluate import Answer, guard_status
 from armillary.program.program import Program
 from armillary.verify import exact
 from armillary.verify.exact import directional_derivative
-from armillary.verify.measured import Measured, Point, exceeds
+from armillary.verify.measured import Measured, Point, Skipped, exceeds
 from armillary.verify.points import awkward_points, joined, quantities, random_points, rows_of
 
-__all__ = ["checks", "directional_derivative", "pairs"]
+__all__ = ["checks", "directional_derivative", "pair_of"]
 
 AGREEMENT = 1e-30
 POINTS = 12
@@ -48,29 +50,49 @@ class Pair:
     wanted: Slope
 
 
-def checks(record: Derivation, programs: Programs) -> Iterator[Measured]:
-    """One check for each derivative of a system.
+def checks(record: Derivation, programs: Programs) -> Iterator[Measured | Skipped]:
+    """One check for each derivative of a system, and a row for each result that has none.
 
     Args:
         programs: the compiled programs of its kernels, by name.
     """
-    for pair in pairs(record):
-        yield _measure(pair, programs)
-
-
-def pairs(record: Derivation) -> Iterator[Pair]:
-    """Every derivative of a system that the names of its kernels tell."""
-    kernels = record.kernels
-    pose = kernels.get("pose")
-    for kernel in kernels.values():
+    for kernel in record.kernels.values():
         for output in kernel.outputs:
-            base = _primitive(record, kernel, output)
-            if base is not None:
-                yield _rate_pair(kernel, output, *base)
-            elif pose is not None and output.name in _OF_POSE and _moves(kernel, pose):
-                yield _velocity_pair(kernel, output, pose)
-            elif pose is not None and _is_geometric_jacobian(kernel, output, pose):
-                yield _jacobian_pair(kernel, output, pose)
+            pair = pair_of(record, kernel, output)
+            if pair is not None:
+                yield _measure(pair, programs)
+            elif _takes_rates(record, output):
+                yield _not_covered(kernel, output)
+
+
+def pair_of(record: Derivation, kernel: Kernel, output: Output) -> Pair | None:
+    """What a result is the derivative of, as far as its name and its kernel's tell."""
+    pose = record.kernels.get("pose")
+    base = _primitive(record, kernel, output)
+    if base is not None:
+        return _rate_pair(kernel, output, *base)
+    if pose is not None and output.name in _OF_POSE and _moves(kernel, pose):
+        return _velocity_pair(kernel, output, pose)
+    if pose is not None and _is_geometric_jacobian(kernel, output, pose):
+        return _jacobian_pair(kernel, output, pose)
+    return None
+
+
+def _takes_rates(record: Derivation, output: Output) -> bool:
+    """Whether a result depends on the rate of some quantity."""
+    records = [record, *(used.derivation for used in record.used.values())]
+    known = {id(q.known_rate.get("rate")) for r in records for q in r.quantities.values()}
+    return any(id(leaf) in known for leaf in leaves(output.value))
+
+
+def _not_covered(kernel: Kernel, output: Output) -> Skipped:
+    known = ", ".join(_OF_POSE)
+    return Skipped(
+        f"{output.name} of {kernel.name} is not covered",
+        "dual numbers",
+        f"its name does not tell what it is the derivative of: name it {known} where a kernel "
+        "pose returns the pose, or x_dot or x_rate where a kernel of the same inputs returns x",
+    )
 
 
 # -- finding pairs --------------------------------------------------------------------------------

@@ -79,9 +79,21 @@ def illegal_points(record: Derivation | Kernel | Sequence[AnyQuantity]) -> dict[
     return _filled(known, rows, seed=2)
 
 
+def directions(n: int, seed: int) -> Array:
+    """`n` unit vectors spread evenly over the sphere, and the awkward ones: (n + some, 3)."""
+    made = np.random.default_rng(seed).normal(size=(n, 3))
+    made /= np.linalg.norm(made, axis=1, keepdims=True)
+    return np.concatenate([made, np.array(AWKWARD_DIRECTIONS)])
+
+
 def joined(first: Mapping[str, Array], second: Mapping[str, Array]) -> dict[str, Array]:
     """The points of both, one after the other."""
     return {name: np.concatenate([first[name], second[name]]) for name in first}
+
+
+def chosen(points: Mapping[str, Array], mask: NDArray[np.bool_]) -> dict[str, Array]:
+    """The points where the mask holds."""
+    return {name: array[mask] for name, array in points.items()}
 
 
 def count(points: Mapping[str, Array]) -> int:

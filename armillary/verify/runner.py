@@ -1,4 +1,4 @@
-"""Runs every check of a project, one result at a time, and writes what the pages read.
+"""Runs every check of a project, one result at a time.
 
 for outcome in run(root, package="armillary_kernels"):
     print(outcome)
@@ -6,10 +6,9 @@ for outcome in run(root, package="armillary_kernels"):
 
 from __future__ import annotations
 
-import json
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import asdict, dataclass, field, replace
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from typing import Any, TypeGuard
@@ -18,6 +17,7 @@ from armillary.derivation.load import load_all, names
 from armillary.derivation.record import Derivation
 from armillary.program.compile import compile_kernel
 from armillary.program.program import Program
+from armillary.store.lock import locked
 from armillary.verify import duals, identities, parity, tolerances
 from armillary.verify.engines import EngineMissing
 from armillary.verify.implementations import (
@@ -27,43 +27,10 @@ from armillary.verify.implementations import (
     native_implementations,
     python_implementations,
 )
-from armillary.verify.measured import Measured, Point, Skipped
+from armillary.verify.measured import Measured, Skipped
+from armillary.verify.results import Outcome, checked_digest
 
-CHECKS = Path("build") / "checks.json"
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """One line of `build/checks.json`.
-
-    A check that was skipped for want of an engine has neither passed nor failed.
-    `worst` is None where no number was found.
-    """
-
-    system: str
-    kernel: str | None
-    name: str
-    engine: str
-    points: int
-    worst: float | None
-    tolerance: float
-    passed: bool
-    skipped: bool = False
-    why: str = ""
-    at: Point = field(default_factory=dict)
-
-    @property
-    def failed(self) -> bool:
-        """Whether the project is wrong: a skipped check says nothing."""
-        return not (self.passed or self.skipped)
-
-    def __str__(self) -> str:
-        state = "skipped" if self.skipped else "passed" if self.passed else "FAILED"
-        kernel = f" {self.kernel}" if self.kernel else ""
-        number = "" if self.worst is None or self.skipped else f" {self.worst:.2g}"
-        bound = f" (<= {self.tolerance:.2g})" if number and self.tolerance else ""
-        more = f": {self.why}" if self.why else ""
-        return f"{state} {self.system}{kernel}: {self.name} [{self.engine}]{number}{bound}{more}"
+_LOCK = Path("build") / "tolerances.lock"
 
 
 def run(
@@ -79,34 +46,18 @@ def run(
     parity of targets run the generated files below `<root>/generated`.
 
     Raises:
-        DerivationError: if a derivation cannot be read.
+        DerivationError: if a derivation or its tolerances cannot be read.
     """
     forget(package)
     records = load_all(root / "derivations")
-    for system in systems if systems is not None else names(root / "derivations"):
+    chosen = list(systems) if systems is not None else names(root / "derivations")
+    digests: dict[str, str] = {}
+    for system in chosen:  # before any check runs: an edit made meanwhile counts as new
+        tolerances.read(root / "derivations" / system)
+        digests[system] = checked_digest(root, records[system])
+    for system in chosen:
         for measured in _of_system(root, package, records[system], points):
-            yield _outcome(system, measured)
-
-
-def write(root: Path, outcomes: Iterable[Outcome]) -> Path:
-    """Put results into `<root>/build/checks.json`; those of other systems stay."""
-    path = root / CHECKS
-    fresh = [_plain(o) for o in outcomes]
-    ran = {o["system"] for o in fresh}
-    there = set(names(root / "derivations"))
-    kept = [o for o in read(root) if o["system"] in there - ran]
-    lines = sorted([*kept, *fresh], key=lambda o: str(o["system"]))
-    tolerances.write_atomically(path, json.dumps(lines, indent=1, allow_nan=False) + "\n")
-    return path
-
-
-def read(root: Path) -> list[dict[str, Any]]:
-    """The results of the last run; empty before the first."""
-    path = root / CHECKS
-    if not path.is_file():
-        return []
-    found: list[dict[str, Any]] = json.loads(path.read_text("utf-8"))
-    return found
+            yield _outcome(system, digests[system], measured)
 
 
 def update_tolerances(
@@ -127,11 +78,12 @@ def update_tolerances(
                 tolerance = tolerances.rounded_up(found.worst, implementation.epsilon)
                 measured.append((str(found.kernel), implementation.name, tolerance))
                 found = replace(found, tolerance=tolerance, why="")
-            yield _outcome(system, found)
-        known = tolerances.read(folder)
+            yield _outcome(system, "", found)
         kernels = records[system].kernels
-        kept = {kernel: targets for kernel, targets in known.items() if kernel in kernels}
-        tolerances.write(folder, tolerances.merged(kept, measured))
+        with locked(root / _LOCK, lambda: None):  # held for a moment only
+            known = tolerances.read(folder)
+            kept = {kernel: targets for kernel, targets in known.items() if kernel in kernels}
+            tolerances.write(folder, tolerances.merged(kept, measured))
 
 
 # -- one system -----------------------------------------------------------------------------------
@@ -255,24 +207,13 @@ def _targets(
 # -- results --------------------------------------------------------------------------------------
 
 
-def _outcome(system: str, found: Found) -> Outcome:
+def _outcome(system: str, digest: str, found: Found) -> Outcome:
     if isinstance(found, Skipped):
-        return Outcome(system, None, found.name, found.engine, 0, None, 0.0, False, True, found.why)
+        return Outcome(
+            system, digest, None, found.name, found.engine, 0, None, 0.0, False, True, found.why
+        )
     worst = found.worst if math.isfinite(found.worst) else None
     return Outcome(
-        system, found.kernel, found.name, found.engine, found.points, worst, found.tolerance,
-        found.passed, False, found.why, found.at,
+        system, digest, found.kernel, found.name, found.engine, found.points, worst,
+        found.tolerance, found.passed, False, found.why, found.at,
     )  # fmt: skip
-
-
-def _plain(outcome: Outcome) -> dict[str, Any]:
-    """As JSON has it: what is not a number is null, by name where it is an input."""
-    plain = asdict(outcome)
-    plain["at"] = {name: _number(value) for name, value in outcome.at.items()}
-    return plain
-
-
-def _number(value: Any) -> Any:
-    if isinstance(value, list):
-        return [_number(v) for v in value]
-    return value if math.isfinite(value) else str(value)

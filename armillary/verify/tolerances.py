@@ -8,10 +8,13 @@ from __future__ import annotations
 
 import json
 import math
-import os
 from collections.abc import Iterable, Mapping
 from decimal import ROUND_CEILING, Decimal
 from pathlib import Path
+from typing import Any
+
+from armillary.derivation.errors import DerivationError, Source
+from armillary.store.files import replace_durably
 
 NAME = "tolerances.json"
 MARGIN = 4.0
@@ -22,12 +25,40 @@ Tolerances = dict[str, dict[str, float]]
 
 
 def read(folder: Path) -> Tolerances:
-    """The committed tolerances of a system: {kernel: {target: tolerance}}; {} if there are none."""
+    """The committed tolerances of a system: {kernel: {target: tolerance}}; {} if there are none.
+
+    Raises:
+        DerivationError: when the file holds something else.
+    """
     path = folder / NAME
     if not path.is_file():
         return {}
-    content = json.loads(path.read_text("utf-8"))
-    return {kernel: {t: float(x) for t, x in found.items()} for kernel, found in content.items()}
+    try:
+        content = json.loads(path.read_bytes())
+    except ValueError as problem:
+        raise _malformed(path, str(problem), getattr(problem, "lineno", 1)) from None
+    if not isinstance(content, dict):
+        raise _malformed(path, "it holds no object")
+    return {kernel: _targets(path, kernel, found) for kernel, found in content.items()}
+
+
+def _targets(path: Path, kernel: str, found: Any) -> dict[str, float]:
+    if not isinstance(found, dict):
+        raise _malformed(path, f"{kernel} has {found!r} instead of its targets")
+    for target, value in found.items():
+        number = isinstance(value, (int, float)) and not isinstance(value, bool)
+        if not (number and 0 <= value < math.inf):
+            raise _malformed(path, f"the tolerance of {kernel} for {target} is {value!r}")
+    return {target: float(value) for target, value in found.items()}
+
+
+def _malformed(path: Path, problem: str, line: int = 1) -> DerivationError:
+    return DerivationError(
+        f"the tolerances cannot be read: {problem}",
+        'write {"kernel": {"numpy f64": 1e-15}}, or remove the file and run '
+        f"`armillary check {path.parent.name} --update-tolerances`",
+        Source(str(path), line),
+    )
 
 
 def rounded_up(worst: float, epsilon: float) -> float:
@@ -40,9 +71,9 @@ def rounded_up(worst: float, epsilon: float) -> float:
 
 
 def write(folder: Path, tolerances: Mapping[str, Mapping[str, float]]) -> None:
-    """Write the tolerances of a system, sorted, in one step."""
+    """Write the tolerances of a system, sorted, in one step; two processes take a lock."""
     text = json.dumps(tolerances, indent=1, sort_keys=True) + "\n"
-    write_atomically(folder / NAME, text)
+    replace_durably(folder / NAME, text.encode())
 
 
 def merged(known: Tolerances, measured: Iterable[tuple[str, str, float]]) -> Tolerances:
@@ -51,14 +82,3 @@ def merged(known: Tolerances, measured: Iterable[tuple[str, str, float]]) -> Tol
     for kernel, target, tolerance in measured:
         found.setdefault(kernel, {})[target] = tolerance
     return found
-
-
-def write_atomically(path: Path, text: str) -> None:
-    """A reader sees the old file or the new one, never a part."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    draft = path.with_name(f".{path.name}.{os.getpid()}")
-    try:
-        draft.write_text(text, "utf-8")
-        draft.replace(path)
-    finally:
-        draft.unlink(missing_ok=True)

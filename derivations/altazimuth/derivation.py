@@ -5,15 +5,17 @@ from armillary import (
     Derivation,
     Rate,
     Status,
-    Twist,
     X,
     Y,
     Z,
     atan2,
+    atan2_or_zero,
+    cos,
+    define_motion,
     hypot,
+    sin,
     unit,
     vector,
-    where,
 )
 
 derivation = d = Derivation(
@@ -48,77 +50,49 @@ def mount(gamma, upsilon):
 
 
 chain = mount(gamma, upsilon)
-gamma_dot, upsilon_dot = gamma.rate(), upsilon.rate()
 
-M = d.define(
-    "M",
-    chain.pose("ground", "collector"),
-    because="The pose of the collector is the product of its joints from the ground up. The post "
-    "comes before the tilt, so only the arm swings with the cradle.",
-    meaning="pose of the collector in East-North-Up axes at the foot of the column",
-    printed="14",
-)
+# ---- pose and motion ----
 
-# ---- motion ----
+motion = define_motion(
+    d,
+    chain,
+    "collector",
+    (gamma, upsilon),
+    foot="the foot of the column",
+    printed={"M": "14", "Omega_space": "16", "v_spatial": "9", "V_space": "8"},
+    because={
+        "M": "The pose of the collector is the product of its joints from the ground up. The post "
+        "comes before the tilt, so only the arm swings with the cradle."
+    },
+)
+M = motion.M
+head = vector(0, 0, L_0 + L_1)
+tilt_axis = vector(cos(gamma), -sin(gamma), 0)
 
-Omega_space = d.define(
-    "Omega_space",
-    chain.angular_velocity("collector"),
-    because="Angular velocities add, each about its axis as the joints before it have turned it.",
-    meaning="angular velocity of the collector in East-North-Up axes",
-    printed="16",
-)
-Omega_body = d.define(
-    "Omega_body",
-    chain.body_angular_velocity("collector"),
-    because="The same sum, each axis carried inward to the collector instead of out to the ground.",
-    meaning="angular velocity of the collector in its own axes",
-)
-v_origin = d.define(
-    "v_origin",
-    chain.velocity("collector"),
-    because="Each joint moves the collector's origin by its axis crossed with the arm from the "
-    "axis to that origin.",
-    meaning="velocity of the collector's origin",
-)
-v_spatial = d.define(
-    "v_spatial",
-    chain.spatial_velocity("collector"),
-    because="Each joint moves the foot of the column, taken along as a point of the collector, by "
-    "its axis crossed with the arm from the axis to the foot.",
-    meaning="velocity of the collector's point that passes the foot of the column",
-    printed="9",
-)
-V_space = d.define(
-    "V_space",
-    Twist(Omega_space, v_spatial),
-    because="The rate of the pose times its inverse is the skew matrix of the angular velocity "
-    "beside the velocity of the point at the foot.",
-    meaning="velocity matrix of the collector",
-    printed="8",
-)
-J = d.define(
-    "J",
-    chain.jacobian("collector", (gamma, upsilon)),
-    because="Column by column, the motion of the collector while one drive runs at unit speed.",
-    meaning="Jacobian: velocity of the collector's origin over its angular velocity",
-)
-
-d.identity("both angular velocities are one vector", Omega_space, M.rotation @ Omega_body)
 d.identity(
-    "the origin's velocity is that of the point at the foot and the turn about it",
-    v_origin,
-    v_spatial + Omega_space.cross(M.position),
+    "the collector faces the turntable's azimuth, as far from the zenith as the cradle is tilted",
+    M.rotation.column(2),
+    vector(sin(gamma) * sin(upsilon), cos(gamma) * sin(upsilon), cos(upsilon)),
+)
+d.identity(
+    "the tilt axis stays level, a quarter turn clockwise from that azimuth",
+    M.rotation.column(0),
+    tilt_axis,
+)
+d.identity(
+    "tilting lowers the end of the arm from the height of the post's head",
+    M.position.z,
+    L_0 + L_1 - L_2 * sin(upsilon),
+)
+d.identity(
+    "the end of the arm keeps the arm's length from the post's head",
+    (M.position - head).dot(M.position - head),
+    L_2 * L_2,
 )
 d.identity(
     "the vertical axis passes through the foot, so only the tilt moves the point there",
-    v_spatial,
-    upsilon_dot * (M.rotation @ vector(1, 0, 0)).cross(vector(0, 0, L_0 + L_1)),
-)
-d.identity(
-    "the columns of the Jacobian, each at its drive's speed, add up to the velocity",
-    J.column_vector(0) * gamma_dot + J.column_vector(1) * upsilon_dot,
-    v_origin,
+    motion.v_spatial,
+    upsilon.rate() * tilt_axis.cross(head),
 )
 
 # ---- aiming ----
@@ -144,7 +118,7 @@ at_zenith = d.define(
 )
 gamma_aim = d.define(
     "gamma_aim",
-    atan2(where(at_zenith, 0, enu.x), where(at_zenith, 1, enu.y)),
+    atan2_or_zero(enu.x, enu.y, at_zenith),
     because="The cradle leans towards where the turntable points, so the turntable turns to the "
     "sun's azimuth: 0 where it is free.",
     meaning="azimuth drive angle that faces the sun",
@@ -167,24 +141,6 @@ d.identity(
 # ---- kernels ----
 
 d.kernel(
-    "pose",
-    inputs=[gamma, upsilon],
-    outputs=[M],
-    summary="Pose of the collector.",
-)
-d.kernel(
-    "velocity",
-    inputs=[gamma, upsilon, gamma_dot, upsilon_dot],
-    outputs=[Omega_space, Omega_body, v_origin, v_spatial, V_space],
-    summary="Motion of the collector while the drives run.",
-)
-d.kernel(
-    "jacobian",
-    inputs=[gamma, upsilon],
-    outputs=[J],
-    summary="Motion of the collector per unit speed of each drive.",
-)
-d.kernel(
     "aim",
     inputs=[enu],
     outputs={"gamma": gamma_aim, "upsilon": upsilon_aim},
@@ -192,6 +148,10 @@ d.kernel(
     summary="Drive angles that put the collector's third axis on the sun.",
 )
 
+d.assume(
+    "Inferred: the paper does not say where its axes point. That x is east, y north and z up, "
+    "and which axis faces the sun, is our reading."
+)
 d.assume("Column, turntable, cradle and collector are rigid, and the joints turn without play.")
 d.assume("The azimuth axis is vertical, the tilt axis horizontal, and the two meet.")
 d.picture(

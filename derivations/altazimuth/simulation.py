@@ -2,13 +2,14 @@
 
 import numpy as np
 
-from armillary.verify.engines import need
+from armillary.verify.engines import each, need
 from armillary.verify.engines.rigid import Fixed, Mechanism, Revolute
 from armillary.verify.measured import compare
-from armillary.verify.points import AWKWARD_DIRECTIONS
-from armillary.verify.serial import serial_checks
+from armillary.verify.points import directions
+from armillary.verify.serial import aim_checks, serial_checks
 
 COUNT = 200
+DRIVES = ("gamma", "upsilon")
 DOWN, WEST = (0, 0, -1), (-1, 0, 0)
 
 
@@ -29,26 +30,26 @@ def motions():
     """Random mounts, anywhere, moving."""
     random = np.random.default_rng(14)
     lengths = {name: random.uniform(0, 10, COUNT) for name in ("L_0", "L_1", "L_2")}
-    angles = {name: random.uniform(-7, 7, COUNT) for name in ("gamma", "upsilon")}
-    rates = {f"{name}_dot": random.uniform(-1, 1, COUNT) for name in angles}
+    angles = {name: random.uniform(-7, 7, COUNT) for name in DRIVES}
+    rates = {f"{name}_dot": random.uniform(-1, 1, COUNT) for name in DRIVES}
     return {**lengths, **angles, **rates}
-
-
-def directions():
-    """Random directions all over the sphere, and the awkward ones."""
-    random = np.random.default_rng(15).normal(size=(COUNT, 3))
-    random /= np.linalg.norm(random, axis=1, keepdims=True)
-    return np.concatenate([random, np.array(AWKWARD_DIRECTIONS)])
 
 
 def checks(kernels):
     """Everything measured about the altazimuth tracker."""
-    points = motions()
-    yield from serial_checks(kernels, build, ("gamma", "upsilon"), points)
+    yield from each(kernels, motion_by_pinocchio, orientation_by_scipy, aim_by_pinocchio)
 
+
+def motion_by_pinocchio(kernels):
+    """Pose and velocities of the joints."""
+    yield from serial_checks(kernels, build, DRIVES, motions())
+
+
+def orientation_by_scipy(kernels):
+    """The two turns as Euler angles."""
     rotation = need("scipy.spatial.transform").Rotation
-    turned = rotation.from_euler("ZX", np.stack([-points["gamma"], -points["upsilon"]], axis=1))
-    still = {name: points[name] for name in ("gamma", "upsilon", "L_0", "L_1", "L_2")}
+    still = {name: a for name, a in motions().items() if not name.endswith("_dot")}
+    turned = rotation.from_euler("ZX", -np.stack([still[name] for name in DRIVES], axis=1))
     yield compare(
         "orientation",
         "SciPy",
@@ -59,36 +60,10 @@ def checks(kernels):
         "pose",
     )
 
-    enu = directions()
-    aimed = kernels.aim(enu=enu)
-    mount = build({"L_0": 2.0, "L_1": 0.5, "L_2": 0.3})
-    axis = mount.pose(np.stack([aimed.gamma, aimed.upsilon], axis=1))[:, :3, 2]
-    regular = aimed.status == 0
-    yield compare(
-        "the aimed collector faces the sun",
-        "pinocchio",
-        axis[regular],
-        enu[regular],
-        1e-14,
-        {"enu": enu[regular]},
-        "aim",
-    )
-    yield compare(
-        "at the zenith it faces the sun within the tolerance of the singularity",
-        "pinocchio",
-        axis[~regular],
-        enu[~regular],
-        2e-6,
-        {"enu": enu[~regular]},
-        "aim",
-    )
-    posed = kernels.pose(gamma=aimed.gamma, upsilon=aimed.upsilon, L_0=2.0, L_1=0.5, L_2=0.3)
-    yield compare(
-        "aim and pose undo each other",
-        "round trip",
-        posed.M[regular, :3, 2],
-        enu[regular],
-        1e-14,
-        {"enu": enu[regular]},
-        "aim",
-    )
+
+def aim_by_pinocchio(kernels):
+    """Aiming at directions all over the sphere."""
+    enu = directions(COUNT, seed=15)
+    mount = {name: np.full(len(enu), a) for name, a in (("L_0", 2.0), ("L_1", 0.5), ("L_2", 0.3))}
+    upright = ("0 <= upsilon <= pi", lambda aimed: np.minimum(aimed.upsilon, np.pi - aimed.upsilon))
+    yield from aim_checks(kernels, build, DRIVES, {"enu": enu, **mount}, axis=2, branch=upright)

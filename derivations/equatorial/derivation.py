@@ -5,15 +5,17 @@ from armillary import (
     Derivation,
     Rate,
     Status,
-    Twist,
     X,
     Y,
     Z,
     atan2,
+    atan2_or_zero,
+    cos,
+    define_motion,
     hypot,
+    sin,
     unit,
     vector,
-    where,
 )
 
 derivation = d = Derivation(
@@ -52,76 +54,44 @@ def mount(incl, epsilon):
 
 
 chain = mount(incl, epsilon)
-incl_dot, epsilon_dot = incl.rate(), epsilon.rate()
 
-M = d.define(
-    "M",
-    chain.pose("ground", "collector"),
-    because="The pose of the collector is the product of its joints from the ground up.",
-    meaning="pose of the collector in East-North-Up axes at the foot of the column",
-    printed="17",
-)
+# ---- pose and motion ----
 
-# ---- motion ----
+motion = define_motion(
+    d,
+    chain,
+    "collector",
+    (incl, epsilon),
+    foot="the foot of the column",
+    printed={"M": "17", "Omega_space": "19", "v_spatial": "9", "V_space": "8"},
+)
+M = motion.M
+head = vector(0, 0, L_0)
 
-Omega_space = d.define(
-    "Omega_space",
-    chain.angular_velocity("collector"),
-    because="Angular velocities add, each about its axis as the joints before it have turned it.",
-    meaning="angular velocity of the collector in East-North-Up axes",
-    printed="19",
-)
-Omega_body = d.define(
-    "Omega_body",
-    chain.body_angular_velocity("collector"),
-    because="The same sum, each axis carried inward to the collector instead of out to the ground.",
-    meaning="angular velocity of the collector in its own axes",
-)
-v_origin = d.define(
-    "v_origin",
-    chain.velocity("collector"),
-    because="Each joint moves the collector's origin by its axis crossed with the arm from the "
-    "axis to that origin.",
-    meaning="velocity of the collector's origin",
-)
-v_spatial = d.define(
-    "v_spatial",
-    chain.spatial_velocity("collector"),
-    because="Each joint moves the foot of the column, taken along as a point of the collector, by "
-    "its axis crossed with the arm from the axis to the foot.",
-    meaning="velocity of the collector's point that passes the foot of the column",
-    printed="9",
-)
-V_space = d.define(
-    "V_space",
-    Twist(Omega_space, v_spatial),
-    because="The rate of the pose times its inverse is the skew matrix of the angular velocity "
-    "beside the velocity of the point at the foot.",
-    meaning="velocity matrix of the collector",
-    printed="8",
-)
-J = d.define(
-    "J",
-    chain.jacobian("collector", (incl, epsilon)),
-    because="Column by column, the motion of the collector while one drive runs at unit speed.",
-    meaning="Jacobian: velocity of the collector's origin over its angular velocity",
-)
-
-d.identity("both angular velocities are one vector", Omega_space, M.rotation @ Omega_body)
 d.identity(
-    "the origin's velocity is that of the point at the foot and the turn about it",
-    v_origin,
-    v_spatial + Omega_space.cross(M.position),
+    "the roll axis leans north by the tilt, whatever the roll",
+    M.rotation.column(2),
+    vector(0, sin(incl), cos(incl)),
+)
+d.identity(
+    "the roll takes the second axis out of the meridian, eastward; there a tilt lowers it",
+    M.rotation.column(1),
+    vector(sin(epsilon), cos(epsilon) * cos(incl), -cos(epsilon) * sin(incl)),
+)
+d.identity(
+    "the post lifts the collector, and the arm lowers it as far as it points north",
+    M.position.z,
+    L_0 + L_1 * cos(incl) - L_2 * cos(epsilon) * sin(incl),
+)
+d.identity(
+    "post and arm stand at right angles, so Pythagoras tells the distance from the tilt axis",
+    (M.position - head).dot(M.position - head),
+    L_1 * L_1 + L_2 * L_2,
 )
 d.identity(
     "both axes meet above the foot, so the point there moves about the tilt axis's height",
-    v_spatial,
-    vector(0, 0, L_0).cross(Omega_space),
-)
-d.identity(
-    "the columns of the Jacobian, each at its drive's speed, add up to the velocity",
-    J.column_vector(0) * incl_dot + J.column_vector(1) * epsilon_dot,
-    v_origin,
+    motion.v_spatial,
+    head.cross(motion.Omega_space),
 )
 
 # ---- aiming ----
@@ -147,7 +117,7 @@ on_axis = d.define(
 )
 incl_aim = d.define(
     "incl_aim",
-    atan2(where(on_axis, 0, -enu.z), where(on_axis, 1, enu.y)),
+    atan2_or_zero(-enu.z, enu.y, on_axis),
     because="At roll 0 the second axis lies in the meridian, and tilting the cradle north lowers "
     "it; the tilt brings it to the sun's place there, 0 where it is free.",
     meaning="tilt that faces the sun",
@@ -170,24 +140,6 @@ d.identity(
 # ---- kernels ----
 
 d.kernel(
-    "pose",
-    inputs=[incl, epsilon],
-    outputs=[M],
-    summary="Pose of the collector.",
-)
-d.kernel(
-    "velocity",
-    inputs=[incl, epsilon, incl_dot, epsilon_dot],
-    outputs=[Omega_space, Omega_body, v_origin, v_spatial, V_space],
-    summary="Motion of the collector while the drives run.",
-)
-d.kernel(
-    "jacobian",
-    inputs=[incl, epsilon],
-    outputs=[J],
-    summary="Motion of the collector per unit speed of each drive.",
-)
-d.kernel(
     "aim",
     inputs=[enu],
     outputs={"incl": incl_aim, "epsilon": epsilon_aim},
@@ -196,6 +148,10 @@ d.kernel(
     "cos(epsilon) >= 0.",
 )
 
+d.assume(
+    "Inferred: the paper does not say where its axes point. That x is east, y north and z up, "
+    "and which axis faces the sun, is our reading."
+)
 d.assume("Column, posts and collector are rigid, and the joints turn without play.")
 d.picture(
     chain,

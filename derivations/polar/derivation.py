@@ -6,14 +6,17 @@ from armillary import (
     Derivation,
     Rate,
     Status,
-    Twist,
     X,
     Y,
     Z,
     atan2,
+    atan2_or_zero,
+    cos,
+    define_motion,
     hypot,
+    sin,
     unit,
-    where,
+    vector,
     wrap,
 )
 
@@ -58,74 +61,55 @@ def mount(incl, epsilon, D):
 
 
 chain = mount(incl, epsilon, D)
-epsilon_dot, D_dot = epsilon.rate(), D.rate()
 
-M = d.define(
-    "M",
-    chain.pose("ground", "collector"),
-    because="The pose of the collector is the product of its joints from the ground up.",
-    meaning="pose of the collector in East-North-Up axes at the foot of the column",
-)
+# ---- pose and motion ----
 
-# ---- motion ----
+motion = define_motion(
+    d,
+    chain,
+    "collector",
+    (epsilon, D),
+    foot="the foot of the column",
+    printed={"v_spatial": "9", "V_space": "8"},
+)
+M = motion.M
+pole = vector(0, sin(incl), cos(incl))
+head = vector(0, L_1 * sin(incl), L_0 + L_1 * cos(incl))
 
-Omega_space = d.define(
-    "Omega_space",
-    chain.angular_velocity("collector"),
-    because="Angular velocities add, each about its axis as the joints before it have turned it.",
-    meaning="angular velocity of the collector in East-North-Up axes",
-)
-Omega_body = d.define(
-    "Omega_body",
-    chain.body_angular_velocity("collector"),
-    because="The same sum, each axis carried inward to the collector instead of out to the ground.",
-    meaning="angular velocity of the collector in its own axes",
-)
-v_origin = d.define(
-    "v_origin",
-    chain.velocity("collector"),
-    because="Each joint moves the collector's origin by its axis crossed with the arm from the "
-    "axis to that origin.",
-    meaning="velocity of the collector's origin",
-)
-v_spatial = d.define(
-    "v_spatial",
-    chain.spatial_velocity("collector"),
-    because="Each joint moves the foot of the column, taken along as a point of the collector, by "
-    "its axis crossed with the arm from the axis to the foot.",
-    meaning="velocity of the collector's point that passes the foot of the column",
-    printed="9",
-)
-V_space = d.define(
-    "V_space",
-    Twist(Omega_space, v_spatial),
-    because="The rate of the pose times its inverse is the skew matrix of the angular velocity "
-    "beside the velocity of the point at the foot.",
-    meaning="velocity matrix of the collector",
-    printed="8",
-)
-J = d.define(
-    "J",
-    chain.jacobian("collector", (epsilon, D)),
-    because="Column by column, the motion of the collector while one drive runs at unit speed.",
-    meaning="Jacobian: velocity of the collector's origin over its angular velocity",
-)
-
-d.identity("both angular velocities are one vector", Omega_space, M.rotation @ Omega_body)
 d.identity(
-    "the origin's velocity is that of the point at the foot and the turn about it",
-    v_origin,
-    v_spatial + Omega_space.cross(M.position),
+    "the hour axis leans north by the fixed tilt",
+    chain.rotation("ground", "hour").column(2),
+    pole,
+)
+d.identity(
+    "the declination drive takes the second axis below the plane across the hour axis",
+    M.rotation.column(1).dot(pole),
+    -sin(D),
+)
+d.identity(
+    "the hour drive takes what is left of it in that plane eastward",
+    M.rotation.column(1).x,
+    cos(D) * sin(epsilon),
+)
+d.identity(
+    "the declination axis stays in that plane, and leaves the east as the hour drive turns",
+    M.rotation.column(0),
+    vector(cos(epsilon), -sin(epsilon) * cos(incl), sin(epsilon) * sin(incl)),
+)
+d.identity(
+    "the post lifts the collector; the arm lowers it as it points north or the drive lowers it",
+    M.position.z,
+    head.z - L_2 * (cos(epsilon) * cos(D) * sin(incl) + sin(D) * cos(incl)),
+)
+d.identity(
+    "the end of the arm keeps the arm's length from the head of the post",
+    (M.position - head).dot(M.position - head),
+    L_2 * L_2,
 )
 d.identity(
     "both drives turn about the head of the post, so the point at the foot moves about it",
-    v_spatial,
-    chain.pose("ground", "polar").position.cross(Omega_space),
-)
-d.identity(
-    "the columns of the Jacobian, each at its drive's speed, add up to the velocity",
-    J.column_vector(0) * epsilon_dot + J.column_vector(1) * D_dot,
-    v_origin,
+    motion.v_spatial,
+    head.cross(motion.Omega_space),
 )
 
 # ---- aiming ----
@@ -166,7 +150,7 @@ on_axis = d.define(
 )
 epsilon_aim = d.define(
     "epsilon_aim",
-    atan2(where(on_axis, 0, polar_sun.x), where(on_axis, 1, polar_sun.y)),
+    atan2_or_zero(polar_sun.x, polar_sun.y, on_axis),
     because="The collector's second axis starts at the second axis of the fixed tilt and turns "
     "clockwise with the hour drive: 0 where the drive is free.",
     meaning="hour drive that faces the sun",
@@ -219,24 +203,6 @@ d.identity(
 
 # ---- kernels ----
 
-d.kernel(
-    "pose",
-    inputs=[epsilon, D],
-    outputs=[M],
-    summary="Pose of the collector.",
-)
-d.kernel(
-    "velocity",
-    inputs=[epsilon, D, epsilon_dot, D_dot],
-    outputs=[Omega_space, Omega_body, v_origin, v_spatial, V_space],
-    summary="Motion of the collector while the drives run.",
-)
-d.kernel(
-    "jacobian",
-    inputs=[epsilon, D],
-    outputs=[J],
-    summary="Motion of the collector per unit speed of each drive.",
-)
 d.kernel(
     "aim",
     inputs=[enu],

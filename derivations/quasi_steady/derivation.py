@@ -1,6 +1,6 @@
 """Quasi-steady tracker: one tilt follows the declination (Ky et al., configuration 3)."""
 
-from armillary import Chain, Derivation, Rate, Twist, X, Y, Z, vector
+from armillary import Chain, Derivation, Rate, X, Y, Z, cos, define_motion, sin, vector
 
 derivation = d = Derivation(
     "quasi_steady",
@@ -32,76 +32,46 @@ def mount(incl):
 
 
 chain = mount(incl)
-incl_dot = incl.rate()
 
-M = d.define(
-    "M",
-    chain.pose("ground", "collector"),
-    because="The pose of the collector is the product of its joints from the ground up.",
-    meaning="pose of the collector in East-North-Up axes at the foot of the column",
-    printed="20",
-)
+# ---- pose and motion ----
 
-# ---- motion ----
+motion = define_motion(
+    d,
+    chain,
+    "collector",
+    (incl,),
+    foot="the foot of the column",
+    printed={"M": "20", "Omega_space": "22", "v_spatial": "9", "V_space": "8"},
+    because={
+        "Omega_space": "The collector turns about the east-west axis, and a positive tilt is "
+        "clockwise.",
+        "Omega_body": "The axis is fixed in the collector as it is in the ground.",
+        "J": "The motion of the collector while the tilt runs at unit speed.",
+    },
+)
+M = motion.M
+head = vector(0, 0, L_0)
 
-Omega_space = d.define(
-    "Omega_space",
-    chain.angular_velocity("collector"),
-    because="The collector turns about the east-west axis, and a positive tilt is clockwise.",
-    meaning="angular velocity of the collector in East-North-Up axes",
-    printed="22",
-)
-Omega_body = d.define(
-    "Omega_body",
-    chain.body_angular_velocity("collector"),
-    because="The axis is fixed in the collector as it is in the ground.",
-    meaning="angular velocity of the collector in its own axes",
-)
-v_origin = d.define(
-    "v_origin",
-    chain.velocity("collector"),
-    because="The joint moves the collector's origin by its axis crossed with the arm from the "
-    "axis to that origin.",
-    meaning="velocity of the collector's origin",
-)
-v_spatial = d.define(
-    "v_spatial",
-    chain.spatial_velocity("collector"),
-    because="The joint moves the foot of the column, taken along as a point of the collector, by "
-    "its axis crossed with the arm from the axis to the foot.",
-    meaning="velocity of the collector's point that passes the foot of the column",
-    printed="9",
-)
-V_space = d.define(
-    "V_space",
-    Twist(Omega_space, v_spatial),
-    because="The rate of the pose times its inverse is the skew matrix of the angular velocity "
-    "beside the velocity of the point at the foot.",
-    meaning="velocity matrix of the collector",
-    printed="8",
-)
-J = d.define(
-    "J",
-    chain.jacobian("collector", (incl,)),
-    because="The motion of the collector while the tilt runs at unit speed.",
-    meaning="Jacobian: velocity of the collector's origin over its angular velocity",
-)
-
-d.identity("both angular velocities are one vector", Omega_space, M.rotation @ Omega_body)
 d.identity(
-    "the origin's velocity is that of the point at the foot and the turn about it",
-    v_origin,
-    v_spatial + Omega_space.cross(M.position),
+    "the collector's third axis leans north by the tilt",
+    M.rotation.column(2),
+    vector(0, sin(incl), cos(incl)),
+)
+d.identity("its first axis stays on the east", M.rotation.column(0), vector(1, 0, 0))
+d.identity(
+    "the post lifts the collector, and the arm lowers it as it leans north",
+    M.position.z,
+    L_0 + L_1 * cos(incl) - L_2 * sin(incl),
+)
+d.identity(
+    "post and arm stand at right angles, so Pythagoras tells the distance from the tilt axis",
+    (M.position - head).dot(M.position - head),
+    L_1 * L_1 + L_2 * L_2,
 )
 d.identity(
     "the point at the foot moves about the tilt axis's height",
-    v_spatial,
-    vector(0, 0, L_0).cross(Omega_space),
-)
-d.identity(
-    "the column of the Jacobian, at the tilt's speed, is the velocity",
-    J.column_vector(0) * incl_dot,
-    v_origin,
+    motion.v_spatial,
+    head.cross(motion.Omega_space),
 )
 
 # ---- aiming ----
@@ -124,30 +94,16 @@ d.identity(
 # ---- kernels ----
 
 d.kernel(
-    "pose",
-    inputs=[incl],
-    outputs=[M],
-    summary="Pose of the collector.",
-)
-d.kernel(
-    "velocity",
-    inputs=[incl, incl_dot],
-    outputs=[Omega_space, Omega_body, v_origin, v_spatial, V_space],
-    summary="Motion of the collector while the tilt runs.",
-)
-d.kernel(
-    "jacobian",
-    inputs=[incl],
-    outputs=[J],
-    summary="Motion of the collector per unit speed of the tilt.",
-)
-d.kernel(
     "aim",
     inputs=[latitude, declination],
     outputs={"incl": incl_aim},
     summary="Tilt that puts the collector's third axis on the sun at apparent noon.",
 )
 
+d.assume(
+    "Inferred: the paper does not say where its axes point. That x is east, y north and z up, "
+    "and which axis faces the sun, is our reading."
+)
 d.assume("Column, post and collector are rigid, and the joint turns without play.")
 d.picture(
     chain,

@@ -1,6 +1,6 @@
 """Steady collector: a tilt fixed for good (Ky et al., configuration 4)."""
 
-from armillary import Chain, Derivation, X, Y, Z, atan2, cos, sin
+from armillary import Chain, Derivation, X, Y, Z, atan2, cos, sin, vector
 
 derivation = d = Derivation(
     "steady",
@@ -53,9 +53,19 @@ d.identity(
     enu.z * cos(tilt) + enu.y * sin(tilt),
 )
 d.identity(
-    "sine and cosine of the incidence belong to one angle",
-    normal.cross(enu).dot(normal.cross(enu)) + normal.dot(enu) * normal.dot(enu),
-    enu.dot(enu),
+    "the arm points north, and dips as the collector leans north",
+    M.rotation.column(1),
+    vector(0, cos(tilt), -sin(tilt)),
+)
+d.identity(
+    "the post lifts the collector, and the arm lowers it as it leans north",
+    M.position.z,
+    L_0 + L_1 * cos(tilt) - L_2 * sin(tilt),
+)
+d.identity(
+    "post and arm stand at right angles, so Pythagoras tells the distance from the column's head",
+    (M.position - vector(0, 0, L_0)).dot(M.position - vector(0, 0, L_0)),
+    L_1 * L_1 + L_2 * L_2,
 )
 
 d.kernel("pose", inputs=[], outputs=[M], summary="Pose of the collector.")
@@ -67,6 +77,14 @@ d.kernel(
     summary="Angle between the sun and the collector's normal.",
 )
 
+d.assume(
+    "Inferred: the paper does not say where its axes point. That x is east, y north and z up, "
+    "and which axis faces the sun, is our reading."
+)
+d.assume(
+    "Inferred: the paper prints no equation for the fixed collector. Ours is its (20) with an "
+    "angle that does not change."
+)
 d.assume("The collector is fixed: nothing of it moves.")
 d.picture(
     chain,

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from armillary.verify.engines import need
+from armillary.verify.engines import each, need
 from armillary.verify.engines.rigid import Fixed, Mechanism
 from armillary.verify.measured import compare
 
@@ -19,11 +19,21 @@ def build(point):
     )
 
 
-def checks(kernels):
-    """Everything measured about the steady collector."""
+def mounts():
+    """Random collectors, tilted anyhow."""
     random = np.random.default_rng(22)
     points = {name: random.uniform(0, 10, COUNT) for name in ("L_0", "L_1", "L_2")}
-    points["tilt"] = random.uniform(-np.pi, np.pi, COUNT)
+    return {**points, "tilt": random.uniform(-np.pi, np.pi, COUNT)}
+
+
+def checks(kernels):
+    """Everything measured about the steady collector."""
+    yield from each(kernels, placement_by_pinocchio, incidence_by_pvlib)
+
+
+def placement_by_pinocchio(kernels):
+    """Where the collector stands, and where it faces."""
+    points = mounts()
     rows = [{name: a[k] for name, a in points.items()} for k in range(COUNT)]
     placed = np.stack([build(row).pose(np.zeros(0)) for row in rows])
     yield compare("pose", "pinocchio", kernels.pose(**points).M, placed, 1e-13, points, "pose")
@@ -32,6 +42,10 @@ def checks(kernels):
         "normal",
     )  # fmt: skip
 
+
+def incidence_by_pvlib(kernels):
+    """The sun anywhere, below the horizon too."""
+    points, random = mounts(), np.random.default_rng(27)
     irradiance = need("pvlib.irradiance")
     elevation = random.uniform(-np.pi / 2, np.pi / 2, COUNT)
     azimuth = random.uniform(0, 2 * np.pi, COUNT)

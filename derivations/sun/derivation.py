@@ -11,19 +11,18 @@ from armillary import (
     Y,
     Z,
     atan2,
+    atan2_or_zero,
     cos,
     degrees,
-    direction_angles,
     full_turn,
     hypot,
-    number,
     sin,
     sqrt,
     vector,
     where,
     wrap,
 )
-from armillary.derivation.units import KELVIN, PASCAL, SECOND
+from armillary.derivation.units import KELVIN, PASCAL, RADIAN, SECOND
 
 derivation = d = Derivation(
     "sun",
@@ -105,7 +104,6 @@ pole = d.define(
     latex=r"\mathbf{p}",
 )
 
-d.identity("the direction has length one", enu.dot(enu), number(1))
 d.identity(
     "the sun keeps the declination's distance from the celestial equator",
     enu.dot(pole),
@@ -140,14 +138,9 @@ at_zenith = d.define(
 )
 
 
-def unless_free(value, otherwise):
-    """A value, replaced where the azimuth is free."""
-    return where(at_zenith, otherwise, value)
-
-
 azimuth_of_sun = d.define(
     "azimuth_of_sun",
-    full_turn(direction_angles(vector(unless_free(enu.x, 0), unless_free(enu.y, 1), enu.z))[0]),
+    full_turn(atan2_or_zero(enu.x, enu.y, at_zenith)),
     because="The azimuth turns from north to east; where it is free it is that of the north, 0. "
     "The paper's (12) holds the sine of another angle.",
     meaning="azimuth of the sun from north, clockwise",
@@ -166,6 +159,12 @@ elevation_of_sun = d.define(
 )
 
 # ---- rates ----
+
+
+def unless_free(value, otherwise):
+    """A value, replaced where the azimuth is free."""
+    return where(at_zenith, otherwise, value)
+
 
 enu_dot = d.define(
     "enu_dot",
@@ -199,7 +198,6 @@ azimuth_rate = d.define(
     meaning="rate of the azimuth",
     latex=r"\dot{a}",
 )
-d.identity("a unit vector moves at right angles to itself", enu.dot(enu_dot), number(0))
 d.identity(
     "the sun turns westward about the pole",
     enu_dot,
@@ -244,7 +242,11 @@ day = d.scalar(
     latex="n",
 )
 obliquity = d.constant(
-    "obliquity", degrees("23.45"), "inclination of the ecliptic, rounded as Cooper did", latex="i"
+    "obliquity",
+    degrees("23.45"),
+    "inclination of the ecliptic, rounded as Cooper did",
+    unit=RADIAN,
+    latex="i",
 )
 
 declination_cooper = d.define(
@@ -285,6 +287,7 @@ declination_spencer = d.define(
     ),
     because="Spencer's harmonics of 1971 follow the eccentric orbit, which one sine cannot.",
     meaning="declination by Spencer's series",
+    unit=RADIAN,
     latex=r"\delta_\mathrm{S}",
 )
 equation_of_time_spencer = d.define(
@@ -313,17 +316,18 @@ equation_of_time_spencer = d.define(
 midnight_depth = d.define(
     "midnight_depth",
     cos(latitude + declination),
-    because="Half a turn from noon the height is s - c, so this is how far below the horizon "
-    "the sun stands at midnight.",
+    because="The sun's height is s + c cos(hour angle), with s the product of the sines of "
+    "latitude and declination and c that of their cosines. Half a turn from noon it is s - c, and "
+    "c - s is a single cosine: how far below the horizon the sun stands at midnight.",
     meaning="c - s: depth of the sun below the horizon at midnight",
-    latex="c - s",
+    latex="m",
 )
 noon_height = d.define(
     "noon_height",
     cos(latitude - declination),
-    because="At noon the height is s + c.",
+    because="At noon the height is s + c, which is a single cosine too.",
     meaning="c + s: height of the sun at noon",
-    latex="c + s",
+    latex="k",
 )
 crossing = d.define(
     "crossing",
@@ -331,7 +335,7 @@ crossing = d.define(
     because="The sun crosses the horizon only when it stands on opposite sides of it at noon and "
     "at midnight; depth and height then have one sign.",
     meaning="positive on the days with a sunrise",
-    latex="c^2 - s^2",
+    latex="p",
 )
 crosses = d.define(
     "crosses",
@@ -358,7 +362,7 @@ chord = d.define(
     2 * sqrt(where(crosses, crossing, 1)),
     because="On the horizon c cos(hour angle) = -s, so this is 2|c| times the sine's magnitude.",
     meaning="2|c| times the sine of the hour angle at sunset",
-    latex=r"2\sqrt{c^2 - s^2}",
+    latex="q",
 )
 beyond_pole = d.define(
     "beyond_pole",
@@ -383,6 +387,7 @@ sunset = d.define(
     where(stays_up, PI, where(stays_down, 0, set_regular)),
     because="A polar day lasts the whole turn and a polar night none of it.",
     meaning="hour angle of sunset",
+    unit=RADIAN,
     latex=r"\omega_\mathrm{set}",
 )
 sunrise = d.define(
@@ -390,6 +395,7 @@ sunrise = d.define(
     -sunset,
     because="The height is even in the hour angle.",
     meaning="hour angle of sunrise",
+    unit=RADIAN,
     latex=r"\omega_\mathrm{rise}",
 )
 d.identity(
@@ -438,8 +444,9 @@ temperature_0 = d.constant(
 below = d.define(
     "below",
     elevation < -degrees("0.83337"),
-    because="The solar radius of 0.26667 degrees and a refraction of 0.5667 degrees below the "
-    "horizon not even the upper limb is seen: the NREL algorithm stops here, and so do we.",
+    because="The sun's radius is 0.26667 degrees and refraction at the horizon 0.5667 degrees: lower "
+    "than both together not even the upper limb is seen. The NREL algorithm stops here, and so do "
+    "we.",
     meaning="whether the whole disc is below the horizon",
 )
 seen = d.define(
@@ -465,6 +472,7 @@ refraction = d.define(
     because="Refraction follows the cotangent of the elevation and the density of the air: 1.02 "
     "arc minutes at 45 degrees, 1010 hPa and 10 degrees Celsius.",
     meaning="how far refraction lifts the sun",
+    unit=RADIAN,
     latex="R",
 )
 elevation_apparent = d.define(
@@ -478,7 +486,11 @@ elevation_apparent = d.define(
 # ---- kernels ----
 
 place = [latitude, declination, hour_angle]
-free_azimuth = (Status.SINGULAR, at_zenith, "the sun is at the zenith: its azimuth is free")
+free_azimuth = (
+    Status.SINGULAR,
+    at_zenith,
+    "the sun is within 1e-6 of the zenith or the nadir: its azimuth is free",
+)
 
 d.kernel("direction", inputs=place, outputs=[enu], summary="Unit vector to the sun.")
 d.kernel(
@@ -537,7 +549,8 @@ d.kernel(
     "refraction",
     inputs=[elevation, pressure, temperature],
     outputs={"elevation": elevation_apparent},
-    summary="Elevation as seen through the air.",
+    summary="Elevation as seen through the air. Below -0.0145 rad the sun is left where it is: "
+    "the refraction, 0.0108 rad there, ends with a jump.",
 )
 
 d.assume("The earth turns about a fixed axis, and the sun is so far that its rays are parallel.")

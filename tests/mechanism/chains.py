@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from hypothesis import strategies as st
 
 from armillary import Chain, Derivation
+from armillary.derivation.units import METRE
 
 NAMES = tuple(f"q{k}" for k in range(1, 7))
 
@@ -34,7 +35,7 @@ def chain_of(joints):
             q = d.angle(NAMES[k], "angle")
             chain = chain.rotate(joint.axis, joint.sign * q, frame=f"f{k}")
         else:
-            q = d.length(NAMES[k], "distance", limits=(-1e6, 1e6))
+            q = d.scalar(NAMES[k], "distance", unit=METRE, limits=(-1e6, 1e6))
             chain = chain.translate(joint.axis, joint.sign * q, frame=f"f{k}")
         variables.append(q)
     return d, chain, tuple(variables)

@@ -53,6 +53,32 @@ def test_random_chains_against_pinocchio(joints):
 
 
 @given(JOINTS)
+def test_the_laws_of_every_chain(joints):
+    """What holds for any chain is proved here, once: as an identity of one it could not fail."""
+    d, chain, variables = chain_of(joints)
+    rates = [q.rate() for q in variables]
+    tip = f"f{len(joints) - 1}"
+    pose, spin = chain.pose("base", tip), chain.angular_velocity(tip)
+    outputs = {
+        "spin": spin,
+        "spin_carried_out": pose.rotation @ chain.body_angular_velocity(tip),
+        "velocity": chain.velocity(tip),
+        "velocity_about_the_base": chain.spatial_velocity(tip) + spin.cross(pose.position),
+        "J": chain.jacobian(tip, variables),
+    }
+    program = program_of(d, [*variables, *rates], outputs)
+    for place in PLACES:
+        speed = SPEEDS[: len(joints)]
+        point = {v.name: float(x) for v, x in zip(variables, place, strict=False)}
+        point |= {r.name: float(x) for r, x in zip(rates, speed, strict=True)}
+        found = {name: np.asarray(value_of(program, point, name)) for name in outputs}
+        near(found["spin_carried_out"], found["spin"])
+        near(found["velocity_about_the_base"], found["velocity"])
+        columns = found["J"].reshape(6, -1) @ speed
+        near(columns, np.concatenate([found["velocity"], found["spin"]]))
+
+
+@given(JOINTS)
 def test_every_strategy_gives_the_same_values(joints):
     d, chain, variables = chain_of(joints)
     rates = [q.rate() for q in variables]

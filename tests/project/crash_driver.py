@@ -19,7 +19,7 @@ from pathlib import Path
 from armillary.project import stamp, work
 from armillary.project.config import Project, find_project
 from armillary.project.generate import generate
-from armillary.project.manifest import read_finished
+from armillary.targets.manifest import read_finished
 from tests.project.projects import snapshot
 
 CALLS = ("fsync", "mkdir", "open", "rename", "replace", "rmdir", "unlink", "write")

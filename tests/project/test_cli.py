@@ -34,7 +34,7 @@ def test_an_empty_folder_becomes_a_project_with_a_working_mechanism(run: Run, tm
     assert run(root, "new", "demo").returncode == 0
     done = run(root, "generate")
     assert done.returncode == 0, done.stderr
-    assert "demo.pose: new, 9 flops, 4 sin/cos" in done.stdout
+    assert "demo.pose: new, 8 flops, 4 sin/cos" in done.stdout
     done = run(root, "check")
     assert done.returncode == 0, done.stdout + done.stderr
     assert " 0 failed" in done.stdout
@@ -132,3 +132,31 @@ def test_a_failing_check_fails_the_command(run: Run, small: Project):
         line.split()[0] == "FAILED" and line.endswith("false") for line in done.stdout.splitlines()
     )
     assert " 1 failed" in done.stdout
+
+
+def test_show_tells_that_an_edit_was_not_checked(run: Run, small: Project):
+    regenerate(small)
+    assert "checks: none yet; run `armillary check`" in run(small.root, "show", "alone").stdout
+    run(small.root, "check", "alone")
+    said = run(small.root, "show", "alone").stdout
+    assert "numpy f64" in said
+    edit(small.root, "alone", "3 * x", "-3 * x")
+    said = run(small.root, "show", "alone").stdout
+    assert "numpy f64" not in said
+    assert "  checks: not checked since the last edit; run `armillary check`" in said
+
+
+def test_files_that_cannot_be_read_give_no_traceback(run: Run, small: Project):
+    regenerate(small)
+    small.build.mkdir(exist_ok=True)
+    (small.build / "checks.json").write_text("[{", "utf-8")
+    assert "none yet" in run(small.root, "show", "alone").stdout
+    path = small.derivations / "alone" / "tolerances.json"
+    path.write_text('{"thrice": 3}', "utf-8")
+    done = run(small.root, "check", "alone")
+    assert done.returncode == 1
+    assert "tolerances.json:1: the tolerances cannot be read" in done.stderr
+    assert "Traceback" not in done.stderr
+    path.unlink()
+    done = run(small.root, "check", "alone")
+    assert done.returncode == 0, done.stdout + done.stderr

@@ -23,9 +23,12 @@ def test_the_nearest_project_above_is_found(tmp_path: Path):
     assert project.precisions == ("f32", "f64")
 
 
-def test_the_c_folder_of_our_own_kernels_is_short(tmp_path: Path):
-    write(tmp_path, "[tool.armillary]", 'kernels = "armillary_kernels"', 'version = "0.1.0"')
-    assert find_project(tmp_path).c_folder == "armillary"
+def test_the_c_folder_is_the_package_s_unless_it_is_named(tmp_path: Path):
+    lines = ["[tool.armillary]", 'kernels = "field_kernels"', 'version = "0.1.0"']
+    write(tmp_path, *lines)
+    assert find_project(tmp_path).c_folder == "field_kernels"
+    write(tmp_path, *lines, 'c_folder = "field"')
+    assert find_project(tmp_path).c_folder == "field"
 
 
 def test_the_version_may_be_the_package_s(tmp_path: Path):

@@ -12,8 +12,8 @@ import pytest
 from armillary.derivation.errors import DerivationError
 from armillary.project.config import Project
 from armillary.project.errors import ProjectError
-from armillary.project.manifest import read_finished
 from armillary.store.lock import locked
+from armillary.targets.manifest import read_finished
 from tests.project.conftest import Run
 from tests.project.projects import (
     ALONE,
@@ -180,7 +180,8 @@ def test_the_manifest_holds_only_what_comes_out_the_same(small: Project):
     assert set(content) == {"engine", "format", "shared", "systems"}
     assert str(small.root) not in text
     facts = content["systems"]["user"]["kernels"]["far_off"]
-    assert set(facts) == {"cost", "definitions", "digest", "signature", "strategy"}
+    assert set(facts) == {"cost", "definitions", "digest", "signatures", "stated", "strategy"}
+    assert facts["signatures"].keys() == {"f32"}
     assert set(facts["definitions"]) == {"base-reach", "user-far"}
 
 

@@ -4,6 +4,8 @@ import hashlib
 import os
 import subprocess
 import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -12,6 +14,7 @@ from armillary.derivation.errors import DerivationError
 from armillary.site.build import build_site
 from armillary.site.errors import SiteError
 from armillary.site.hooks import with_systems
+from armillary.store.lock import locked
 from tests.site.conftest import ROOT
 
 DEMO = """
@@ -115,6 +118,18 @@ def test_what_is_wrong_is_said(small, tmp_path):
     (tmp_path / "mkdocs.yml").unlink()
     with pytest.raises(SiteError, match="site_name"):
         build_site(tmp_path)
+
+
+def test_two_builds_of_one_site_wait_for_each_other(small):
+    root, said = small(), []
+    with ThreadPoolExecutor() as pool:
+        with locked(root / "build" / "site.lock", lambda: None):
+            other = pool.submit(build_site, root, say=said.append)
+            while not said and not other.done():
+                time.sleep(0.01)
+            assert not (root / "site").exists()
+        assert (other.result() / "index.html").is_file()
+    assert said == ["waiting for another build to finish"]
 
 
 def test_the_systems_take_their_place_in_the_navigation():

@@ -155,3 +155,11 @@ def test_f64_is_left_out_where_double_is_short(printed, tmp_path, short_double, 
     said = attempt(compiler, short_double, f"-I{printed.c}", "-fsyntax-only", program)
     assert "bare_root_f64" in said.stderr
     assert said.returncode != 0
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_fast_math_is_refused(printed, tmp_path, compiler):
+    source = printed.sources("f32")[0]
+    done = attempt(compiler, "-O2", "-ffast-math", "-c", source, "-o", tmp_path / "k.o")
+    assert done.returncode != 0
+    assert "compile without -ffast-math" in done.stderr

@@ -207,6 +207,31 @@ def test_parameters_that_are_not_read_are_accepted(printed):
             assert not np.any(getattr(module, name)(**given).status)
 
 
+def test_half_precision_is_raised_to_single(printed):
+    half = {q: np.float16(x) for q, x in {"gamma": 1, "upsilon": 0.5, "L_1": 1, "L_2": 1}.items()}
+    found = printed.module("altazimuth").pose(**half, L_0=np.float16(np.inf))
+    assert (found.status, found.M.dtype) == (-1, np.float32)
+
+
+@pytest.mark.parametrize("wrong", [1 + 2j, np.complex64(1), "0.3", ["a"], np.array([1j])])
+def test_what_is_no_real_number_is_refused(printed, wrong):
+    for module in (printed.module("sun"), printed.module("native").sun):
+        with pytest.raises(TypeError, match="day must be real numbers"):
+            module.cooper(day=wrong)
+
+
+def test_numpy_numbers_follow_another_library(printed):
+    dask = pytest.importorskip("dask.array")
+    strict = pytest.importorskip("array_api_strict")
+    place = {"latitude": np.float64(0.7), "declination": np.array(0.2)}
+    hours = [-1.0, 0.5]
+    wanted = printed.module("sun").angles(**place, hour_angle=np.asarray(hours)).azimuth
+    for made in (dask.asarray(hours), strict.asarray(hours)):
+        found = printed.module("sun").angles(**place, hour_angle=made).azimuth
+        assert type(found) is type(made)
+        assert np.asarray(found).tolist() == pytest.approx(wanted.tolist(), rel=1e-15)
+
+
 def test_results_may_be_named_like_arguments(printed):
     found = printed.module("names").same(v=[1.0, 2.0, 3.0], S=[0.5, 0.25, 0.0], step=2.0)
     assert found._fields == ("v", "S", "step", "v_out", "S_y", "status")

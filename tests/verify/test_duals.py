@@ -3,6 +3,7 @@
 import pytest
 
 from armillary.verify import duals
+from armillary.verify.measured import Skipped
 from tests.verify.systems import TWO_AXES, record_and_programs, write
 
 CHECKS = {
@@ -43,3 +44,12 @@ def test_a_wrong_derivative_is_found(tmp_path, name):
     assert len(failed) == 1
     assert name in failed[0].name
     assert failed[0].at
+
+
+def test_a_result_whose_name_tells_nothing_is_reported(tmp_path):
+    text = TWO_AXES.replace('d.define("Omega_space"', 'd.define("Omega"')
+    made = checked(tmp_path, text)
+    (skipped,) = [m for m in made if isinstance(m, Skipped)]
+    assert skipped.name == "Omega of velocity is not covered"
+    assert "name it Omega_space" in skipped.why
+    assert len(made) == len(CHECKS)

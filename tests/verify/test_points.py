@@ -6,7 +6,16 @@ import pytest
 from armillary import Derivation
 from armillary.program.compile import compile_kernel
 from armillary.program.evaluate import guard_status
-from armillary.verify.points import awkward_points, count, illegal_points, random_points, rows_of
+from armillary.verify.points import (
+    AWKWARD_DIRECTIONS,
+    awkward_points,
+    chosen,
+    count,
+    directions,
+    illegal_points,
+    random_points,
+    rows_of,
+)
 
 
 @pytest.fixture
@@ -63,3 +72,18 @@ def test_illegal_points_are_all_refused(record):
     points = illegal_points(kernel)
     assert {guard_status(guards, row) for row in rows_of(points)} == {-1, -2}
     assert count(points) == 5 * 7 + 3
+
+
+def test_directions_are_all_over_the_sphere_with_the_awkward_ones_behind():
+    made = directions(100, seed=1)
+    assert np.allclose(np.linalg.norm(made, axis=1), 1.0, atol=1e-15)
+    assert np.abs(made[:100].mean(axis=0)).max() < 0.2
+    assert np.array_equal(made[100:], np.array(AWKWARD_DIRECTIONS))
+    assert np.array_equal(directions(100, seed=1), made)
+
+
+def test_points_are_chosen_by_a_mask():
+    points = {"a": np.arange(3.0), "n": np.eye(3)}
+    some = chosen(points, np.array([True, False, True]))
+    assert some["a"].tolist() == [0.0, 2.0]
+    assert np.array_equal(some["n"], np.eye(3)[[0, 2]])

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from armillary.verify import parity, runner, tolerances
+from armillary.verify import parity, results, runner, tolerances
 from tests.verify.systems import AIM, PACKAGE, TWO_AXES, generate, write
 
 SIMULATION = """
@@ -77,13 +77,13 @@ def test_a_simulation_that_breaks_is_reported_and_the_rest_runs(root, simulated)
 
 def test_checks_are_written_as_json(root):
     made = list(runner.run(root, PACKAGE, ["aim"]))
-    path = runner.write(root, made)
+    path = results.write(root, made)
     lines = json.loads(path.read_text())
-    assert {"system", "kernel", "name", "engine", "points", "worst", "tolerance", "passed",
-            "skipped", "why", "at"} == set(lines[0])  # fmt: skip
-    assert lines == runner.read(root)
-    runner.write(root, list(runner.run(root, PACKAGE, ["two_axes"])))
-    assert {o["system"] for o in runner.read(root)} == {"aim", "two_axes"}
+    assert {"system", "digest", "kernel", "name", "engine", "points", "worst", "tolerance",
+            "passed", "skipped", "why", "at"} == set(lines[0])  # fmt: skip
+    assert lines == results.read(root)
+    results.write(root, list(runner.run(root, PACKAGE, ["two_axes"])))
+    assert {o["system"] for o in results.read(root)} == {"aim", "two_axes"}
 
 
 def test_a_generated_file_that_is_wrong_is_found(root):

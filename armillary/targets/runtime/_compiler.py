@@ -23,18 +23,18 @@ def library(sources: Path, extra: str) -> Path:
     Raises:
         NoCompilerError: says what to install, or what the compiler said.
     """
-    compiler = _compiler()
     files = sorted([*sources.glob("*.c"), *sources.glob("*.h")])
     if not files:
         raise FileNotFoundError(f"no C kernels in {sources}")
-    machine = [sys.platform, platform.machine(), _version(compiler)]
-    key = hashlib.sha256(" ".join([*compiler, *FLAGS, *machine]).encode())
+    # The compiler is looked for only when there is something to compile.
+    machine = [os.environ.get("CC", ""), sys.platform, platform.machine()]
+    key = hashlib.sha256(" ".join([*FLAGS, *machine]).encode())
     for file in files:
         key.update(file.name.encode() + file.read_bytes())
     key.update(extra.encode())
     target = _cache() / f"kernels-{key.hexdigest()[:24]}.so"
     if not target.exists():
-        _build(compiler, sources, extra, target)
+        _build(_compiler(), sources, extra, target)
     return target
 
 
@@ -51,16 +51,16 @@ def _compiler() -> list[str]:
     )
 
 
-def _version(compiler: list[str]) -> str:
-    found = subprocess.run([*compiler, "--version"], capture_output=True, text=True, check=False)
-    return found.stdout
-
-
 def _cache() -> Path:
     base = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
     folder = Path(base) / "armillary"
-    folder.mkdir(parents=True, exist_ok=True)
-    return folder
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            return folder
+    except OSError:
+        # No home to write to, as in many containers: built anew for each process.
+        return Path(tempfile.mkdtemp(prefix="armillary-"))
 
 
 def _build(compiler: list[str], sources: Path, extra: str, target: Path) -> None:
@@ -72,5 +72,5 @@ def _build(compiler: list[str], sources: Path, extra: str, target: Path) -> None
         command = [*compiler, *FLAGS, f"-I{sources}", "-o", str(made), str(batch), *inputs, "-lm"]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode != 0:
-            raise NoCompilerError(f"{shlex.join(command)} failed:\n{done.stderr}")
+            raise NoCompilerError(f"{done.stderr}\n{shlex.join(command)} failed as said above")
         made.replace(target)

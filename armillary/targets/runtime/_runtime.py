@@ -23,10 +23,12 @@ class Call:
     """
 
     def __init__(self, *arguments: tuple[Any, ...]) -> None:
-        given = [a[1] for a in arguments]
-        arrays = [x for x in given if array_api_compat.is_array_api_obj(x)]
-        self.xp = array_api_compat.array_namespace(*arrays) if arrays else array_api_numpy
-        self.dtype = self._dtype(arrays)
+        arrays = [a[1] for a in arguments if array_api_compat.is_array_api_obj(a[1])]
+        # Beside another library's arrays, NumPy's are plain numbers: they follow those.
+        leading = [x for x in arrays if not isinstance(x, np.ndarray | np.generic)]
+        self.xp = array_api_compat.array_namespace(*leading) if leading else array_api_numpy
+        self.device = array_api_compat.device(leading[0]) if leading else None
+        self.dtype = self._dtype(leading or arrays)
         with np.errstate(over="ignore", invalid="ignore"):
             # What float32 cannot hold becomes infinite, and is refused below.
             raw = [c for a in arguments for c in self._components(*a)]
@@ -37,15 +39,24 @@ class Call:
 
     def _dtype(self, arrays: list[Any]) -> Any:
         kinds = [a.dtype for a in arrays if self.xp.isdtype(a.dtype, "real floating")]
-        return self.xp.result_type(*kinds) if kinds else self.xp.float64
+        if not kinds:
+            return self.xp.float64
+        # Half precision cannot hold the limits that the guards compare with.
+        return self.xp.result_type(self.xp.float32, *kinds)
 
     def _components(self, name: str, value: Any, *bounds: Any) -> list[Any]:
         if value is None:
             raise TypeError(f"{name} is missing: the kernel needs it")
-        if not array_api_compat.is_array_api_obj(value):
-            value = np.asarray(value, dtype=np.float64)
-        if self.xp is not array_api_numpy and isinstance(value, np.ndarray):
-            value = self.xp.asarray(value.tolist(), dtype=self.dtype)
+        if isinstance(value, np.ndarray | np.generic) or not hasattr(value, "dtype"):
+            plain = np.asarray(value)
+            if plain.dtype.kind not in "biuf":
+                raise TypeError(f"{name} must be real numbers, not {plain.dtype}")
+            value = plain
+            if self.device is not None:
+                numbers = plain.astype(np.float64).tolist()
+                value = self.xp.asarray(numbers, dtype=self.dtype, device=self.device)
+        elif self.xp.isdtype(value.dtype, "complex floating"):
+            raise TypeError(f"{name} must be real numbers, not {value.dtype}")
         value = self.xp.astype(self.xp.asarray(value), self.dtype)
         if len(bounds) == 3:
             return [value]

@@ -34,8 +34,9 @@ def pose(*, gamma, upsilon, L_0, L_1, L_2):
         L_2: arm of the cradle that carries the collector, m
 
     Returns:
-        M: pose of the collector in East-North-Up axes at the foot of the column, shape (..., 4,
-            4)
+        M: pose of the collector in East-North-Up axes at the foot of the column: its rotation
+            beside the position of its origin in m, shape (..., 4, 4)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("gamma", gamma, -1000.0, 1000.0, 0.8),
@@ -91,10 +92,12 @@ def velocity(*, gamma, upsilon, gamma_dot, upsilon_dot, L_0, L_1, L_2):
         Omega_space: angular velocity of the collector in East-North-Up axes, rad/s, shape (...,
             3)
         Omega_body: angular velocity of the collector in its own axes, rad/s, shape (..., 3)
-        v_origin: velocity of the collector's origin, m/s, shape (..., 3)
+        v_origin: velocity of the collector's origin in East-North-Up axes, m/s, shape (..., 3)
         v_spatial: velocity of the collector's point that passes the foot of the column, m/s,
             shape (..., 3)
-        V_space: velocity matrix of the collector, shape (..., 4, 4)
+        V_space: velocity matrix of the collector: skew angular velocity in rad/s beside the
+            velocity at the foot of the column in m/s, East-North-Up axes, shape (..., 4, 4)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("gamma", gamma, -1000.0, 1000.0, 0.8),
@@ -151,8 +154,10 @@ def jacobian(*, gamma, upsilon, L_2, L_0=None, L_1=None):
         L_0, L_1: accepted and not read
 
     Returns:
-        J: Jacobian: velocity of the collector's origin over its angular velocity, shape (..., 6,
-            2)
+        J: Jacobian of the collector in East-North-Up axes: three rows for the velocity of its
+            origin, m per unit of drive, over three for its angular velocity; columns gamma,
+            upsilon, shape (..., 6, 2)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("gamma", gamma, -1000.0, 1000.0, 0.8),
@@ -196,6 +201,7 @@ def aim(*, enu, L_0=None, L_1=None, L_2=None):
         gamma: azimuth drive angle that faces the sun, rad
         upsilon: tilt that faces the sun, in [0, pi], rad
         status 2 (SINGULAR): the sun is at the zenith: the azimuth is free
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("enu", enu, -1.001, 1.001, (0.48, 0.6, 0.64), True),

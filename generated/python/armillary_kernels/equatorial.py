@@ -34,8 +34,9 @@ def pose(*, incl, epsilon, L_0, L_1, L_2):
         L_2: arm that carries the collector, m
 
     Returns:
-        M: pose of the collector in East-North-Up axes at the foot of the column, shape (..., 4,
-            4)
+        M: pose of the collector in East-North-Up axes at the foot of the column: its rotation
+            beside the position of its origin in m, shape (..., 4, 4)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("incl", incl, -1000.0, 1000.0, 0.8),
@@ -91,10 +92,12 @@ def velocity(*, incl, epsilon, incl_dot, epsilon_dot, L_0, L_1, L_2):
         Omega_space: angular velocity of the collector in East-North-Up axes, rad/s, shape (...,
             3)
         Omega_body: angular velocity of the collector in its own axes, rad/s, shape (..., 3)
-        v_origin: velocity of the collector's origin, m/s, shape (..., 3)
+        v_origin: velocity of the collector's origin in East-North-Up axes, m/s, shape (..., 3)
         v_spatial: velocity of the collector's point that passes the foot of the column, m/s,
             shape (..., 3)
-        V_space: velocity matrix of the collector, shape (..., 4, 4)
+        V_space: velocity matrix of the collector: skew angular velocity in rad/s beside the
+            velocity at the foot of the column in m/s, East-North-Up axes, shape (..., 4, 4)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("incl", incl, -1000.0, 1000.0, 0.8),
@@ -152,8 +155,10 @@ def jacobian(*, incl, epsilon, L_1, L_2, L_0=None):
         L_0: accepted and not read
 
     Returns:
-        J: Jacobian: velocity of the collector's origin over its angular velocity, shape (..., 6,
-            2)
+        J: Jacobian of the collector in East-North-Up axes: three rows for the velocity of its
+            origin, m per unit of drive, over three for its angular velocity; columns incl,
+            epsilon, shape (..., 6, 2)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("incl", incl, -1000.0, 1000.0, 0.8),
@@ -200,6 +205,7 @@ def aim(*, enu, L_0=None, L_1=None, L_2=None):
         incl: tilt that faces the sun, rad
         epsilon: roll that faces the sun, in [-pi/2, pi/2], rad
         status 2 (SINGULAR): the sun is on the tilt axis: the tilt is free
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("enu", enu, -1.001, 1.001, (0.48, 0.6, 0.64), True),

@@ -32,6 +32,7 @@ def seu_from_enu(*, v):
 
     Returns:
         v: the vector in South-East-Up axes, shape (..., 3)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("v", v, -1000000.0, 1000000.0, (2.5, 2.5, 2.5), False),
@@ -61,6 +62,7 @@ def enu_from_seu(*, v):
 
     Returns:
         v: a South-East-Up vector in East-North-Up axes, shape (..., 3)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("v", v, -1000000.0, 1000000.0, (2.5, 2.5, 2.5), False),
@@ -90,6 +92,7 @@ def wsu_from_enu(*, v):
 
     Returns:
         v: the vector in West-South-Up axes, shape (..., 3)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("v", v, -1000000.0, 1000000.0, (2.5, 2.5, 2.5), False),
@@ -119,6 +122,7 @@ def enu_from_wsu(*, v):
 
     Returns:
         v: a West-South-Up vector in East-North-Up axes, shape (..., 3)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("v", v, -1000000.0, 1000000.0, (2.5, 2.5, 2.5), False),
@@ -148,6 +152,7 @@ def azimuth_from_south_west(*, azimuth):
 
     Returns:
         azimuth_south: azimuth from south, positive towards west, in [-pi, pi], rad
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("azimuth", azimuth, -1000.0, 1000.0, 3.9375),
@@ -181,6 +186,7 @@ def azimuth_from_north_east(*, azimuth_south):
 
     Returns:
         azimuth: azimuth from north, positive towards east, in [0, 2 pi), rad
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("azimuth_south", azimuth_south, -1000.0, 1000.0, 0.8),

@@ -35,8 +35,20 @@ def __getattr__(system: str) -> Any:
     module = import_module(f".{system}", __package__)
     kernels = SYSTEMS[system]["kernels"]
     made = {name: _function(system, name, getattr(module, name), module) for name in kernels}
-    globals()[system] = SimpleNamespace(**made)
+    globals()[system] = _System(system, made)
     return globals()[system]
+
+
+class _System(SimpleNamespace):
+    """The compiled kernels of one system."""
+
+    def __init__(self, name: str, kernels: dict[str, Any]) -> None:
+        super().__init__(**kernels)
+        self._name = name
+
+    def __getattr__(self, kernel: str) -> Any:
+        names = ", ".join(SYSTEMS[self._name]["kernels"])
+        raise AttributeError(f"{self._name} has no kernel {kernel!r}; it has {names}")
 
 
 def __dir__() -> list[str]:
@@ -59,14 +71,14 @@ def _call(system: str, name: str, arguments: dict[str, Any], result_type: Any) -
     unknown = sorted(set(arguments) - set(sizes))
     wanted = [q for q, _ in facts["inputs"]] + facts["reads"]
     missing = [q for q in wanted if arguments.get(q) is None]
-    if unknown or missing:
-        problem = f"unknown: {', '.join(unknown)}" if unknown else f"missing: {', '.join(missing)}"
-        raise TypeError(f"{system}.{name}: arguments {problem}")
+    for problem, names in (("unknown", unknown), ("missing", missing)):
+        if names:
+            raise TypeError(f"{system}.{name}: arguments {problem}: {', '.join(names)}")
     precision = _precision([arguments[q] for q in wanted])
     dtype = _TYPES[precision][1]
     with np.errstate(over="ignore", invalid="ignore"):
         # What float32 cannot hold becomes infinite, and the kernel refuses it.
-        arrays = [np.asarray(arguments[q], dtype=dtype, order="C") for q in wanted]
+        arrays = [_real(q, arguments[q], dtype) for q in wanted]
     for q, a in zip(wanted, arrays, strict=True):
         if sizes[q] == 3 and (a.ndim == 0 or a.shape[-1] != 3):
             raise ValueError(f"{q} is a vector: its last axis must have length 3")
@@ -89,6 +101,13 @@ def _call(system: str, name: str, arguments: dict[str, Any], result_type: Any) -
         status.ctypes.data_as(ctypes.c_void_p),
     )
     return result_type(*results, status)
+
+
+def _real(name: str, value: Any, dtype: Any) -> Any:
+    found = np.asarray(value)
+    if found.dtype.kind not in "biuf":
+        raise TypeError(f"{name} must be real numbers, not {found.dtype}")
+    return np.asarray(found, dtype=dtype, order="C")
 
 
 def _precision(values: list[Any]) -> str:

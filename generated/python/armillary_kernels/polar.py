@@ -35,8 +35,9 @@ def pose(*, epsilon, D, L_0, L_1, L_2, incl):
         incl: fixed tilt of the polar axis from the zenith, leaning north, rad
 
     Returns:
-        M: pose of the collector in East-North-Up axes at the foot of the column, shape (..., 4,
-            4)
+        M: pose of the collector in East-North-Up axes at the foot of the column: its rotation
+            beside the position of its origin in m, shape (..., 4, 4)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("epsilon", epsilon, -1000.0, 1000.0, 0.8),
@@ -100,10 +101,12 @@ def velocity(*, epsilon, D, epsilon_dot, D_dot, L_0, L_1, L_2, incl):
         Omega_space: angular velocity of the collector in East-North-Up axes, rad/s, shape (...,
             3)
         Omega_body: angular velocity of the collector in its own axes, rad/s, shape (..., 3)
-        v_origin: velocity of the collector's origin, m/s, shape (..., 3)
+        v_origin: velocity of the collector's origin in East-North-Up axes, m/s, shape (..., 3)
         v_spatial: velocity of the collector's point that passes the foot of the column, m/s,
             shape (..., 3)
-        V_space: velocity matrix of the collector, shape (..., 4, 4)
+        V_space: velocity matrix of the collector: skew angular velocity in rad/s beside the
+            velocity at the foot of the column in m/s, East-North-Up axes, shape (..., 4, 4)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("epsilon", epsilon, -1000.0, 1000.0, 0.8),
@@ -169,8 +172,10 @@ def jacobian(*, epsilon, D, L_2, incl, L_0=None, L_1=None):
         L_0, L_1: accepted and not read
 
     Returns:
-        J: Jacobian: velocity of the collector's origin over its angular velocity, shape (..., 6,
-            2)
+        J: Jacobian of the collector in East-North-Up axes: three rows for the velocity of its
+            origin, m per unit of drive, over three for its angular velocity; columns epsilon, D,
+            shape (..., 6, 2)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("epsilon", epsilon, -1000.0, 1000.0, 0.8),
@@ -224,6 +229,7 @@ def aim(*, enu, incl, L_0=None, L_1=None, L_2=None):
         epsilon: hour drive that faces the sun, rad
         D: declination drive that faces the sun, in [-pi/2, pi/2], rad
         status 2 (SINGULAR): the sun is on the polar axis: the hour drive is free
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("enu", enu, -1.001, 1.001, (0.48, 0.6, 0.64), True),
@@ -273,6 +279,7 @@ def setting(*, latitude, declination, hour_angle, L_0=None, L_1=None, L_2=None, 
         incl: fixed tilt that lays the hour axis along the earth's axis
         epsilon: hour drive that follows the hour angle, in [-pi, pi], rad
         D: declination drive that follows the declination, rad
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("latitude", latitude, -1000.0, 1000.0, 0.3927),

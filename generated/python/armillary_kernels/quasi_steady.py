@@ -33,8 +33,9 @@ def pose(*, incl, L_0, L_1, L_2):
         L_2: arm that carries the collector, m
 
     Returns:
-        M: pose of the collector in East-North-Up axes at the foot of the column, shape (..., 4,
-            4)
+        M: pose of the collector in East-North-Up axes at the foot of the column: its rotation
+            beside the position of its origin in m, shape (..., 4, 4)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("incl", incl, -1000.0, 1000.0, 0.8),
@@ -67,7 +68,7 @@ class VelocityResult(NamedTuple):
 
 
 def velocity(*, incl, incl_dot, L_0, L_1, L_2):
-    """Motion of the collector while the tilt runs.
+    """Motion of the collector while the drive runs.
 
     9 flops (7 mul, 2 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2
 
@@ -82,10 +83,12 @@ def velocity(*, incl, incl_dot, L_0, L_1, L_2):
         Omega_space: angular velocity of the collector in East-North-Up axes, rad/s, shape (...,
             3)
         Omega_body: angular velocity of the collector in its own axes, rad/s, shape (..., 3)
-        v_origin: velocity of the collector's origin, m/s, shape (..., 3)
+        v_origin: velocity of the collector's origin in East-North-Up axes, m/s, shape (..., 3)
         v_spatial: velocity of the collector's point that passes the foot of the column, m/s,
             shape (..., 3)
-        V_space: velocity matrix of the collector, shape (..., 4, 4)
+        V_space: velocity matrix of the collector: skew angular velocity in rad/s beside the
+            velocity at the foot of the column in m/s, East-North-Up axes, shape (..., 4, 4)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("incl", incl, -1000.0, 1000.0, 0.8),
@@ -120,7 +123,7 @@ class JacobianResult(NamedTuple):
 
 
 def jacobian(*, incl, L_1, L_2, L_0=None):
-    """Motion of the collector per unit speed of the tilt.
+    """Motion of the collector per unit speed of the drive.
 
     6 flops (4 mul, 2 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2
 
@@ -131,8 +134,10 @@ def jacobian(*, incl, L_1, L_2, L_0=None):
         L_0: accepted and not read
 
     Returns:
-        J: Jacobian: velocity of the collector's origin over its angular velocity, shape (..., 6,
-            1)
+        J: Jacobian of the collector in East-North-Up axes: three rows for the velocity of its
+            origin, m per unit of drive, over three for its angular velocity; columns incl, shape
+            (..., 6, 1)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("incl", incl, -1000.0, 1000.0, 0.8),
@@ -169,6 +174,7 @@ def aim(*, latitude, declination, L_0=None, L_1=None, L_2=None):
 
     Returns:
         incl: tilt that faces the noon sun, rad
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("latitude", latitude, -1000.0, 1000.0, 0.3927),

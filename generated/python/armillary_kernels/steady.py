@@ -35,6 +35,7 @@ def pose(*, tilt, L_0, L_1, L_2):
     Returns:
         M: pose of the collector in East-North-Up axes at the foot of the column, shape (..., 4,
             4)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("tilt", tilt, -1000.0, 1000.0, 0.8),
@@ -73,6 +74,7 @@ def normal(*, tilt, L_0=None, L_1=None, L_2=None):
 
     Returns:
         normal: unit vector that the collector faces, shape (..., 3)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("tilt", tilt, -1000.0, 1000.0, 0.8),
@@ -106,6 +108,7 @@ def incidence(*, enu, tilt, L_0=None, L_1=None, L_2=None):
 
     Returns:
         incidence: angle between the sun and the collector's normal, in [0, pi], rad
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("enu", enu, -1.001, 1.001, (0.48, 0.6, 0.64), True),

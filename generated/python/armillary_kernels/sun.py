@@ -34,6 +34,7 @@ def direction(*, latitude, declination, hour_angle):
 
     Returns:
         enu: unit vector to the sun, shape (..., 3)
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("latitude", latitude, -1000.0, 1000.0, 0.3927),
@@ -78,7 +79,9 @@ def angles(*, latitude, declination, hour_angle):
     Returns:
         elevation: elevation of the sun above the horizon, without refraction, rad
         azimuth: azimuth of the sun from north, clockwise, rad
-        status 2 (SINGULAR): the sun is at the zenith: its azimuth is free
+        status 2 (SINGULAR): the sun is within 1e-6 of the zenith or the nadir: its azimuth is
+            free
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("latitude", latitude, -1000.0, 1000.0, 0.3927),
@@ -137,7 +140,9 @@ def rates(*, latitude, declination, hour_angle, hour_angle_rate):
     Returns:
         elevation_rate: rate of the elevation, rad/s
         azimuth_rate: rate of the azimuth, rad/s
-        status 2 (SINGULAR): the sun is at the zenith: its azimuth is free
+        status 2 (SINGULAR): the sun is within 1e-6 of the zenith or the nadir: its azimuth is
+            free
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("latitude", latitude, -1000.0, 1000.0, 0.3927),
@@ -193,6 +198,7 @@ def hour_angle(*, utc, longitude, equation_of_time):
 
     Returns:
         hour_angle: hour angle from the clock, in [-pi, pi], rad
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("utc", utc, -1000000.0, 1000000.0, 54000.0),
@@ -227,7 +233,8 @@ def cooper(*, day):
         day: day of the year, 1.0 at 1 January 0 h UTC, with its fraction
 
     Returns:
-        declination: declination by Cooper's formula
+        declination: declination by Cooper's formula, rad
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("day", day, -1000.0, 1000.0, 229.75),
@@ -258,7 +265,8 @@ def cosine(*, day):
         day: day of the year, 1.0 at 1 January 0 h UTC, with its fraction
 
     Returns:
-        declination: declination by the cosine formula
+        declination: declination by the cosine formula, rad
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("day", day, -1000.0, 1000.0, 229.75),
@@ -289,8 +297,9 @@ def spencer(*, day):
         day: day of the year, 1.0 at 1 January 0 h UTC, with its fraction
 
     Returns:
-        declination: declination by Spencer's series
+        declination: declination by Spencer's series, rad
         equation_of_time: equation of time by Spencer's series, s
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("day", day, -1000.0, 1000.0, 229.75),
@@ -334,10 +343,11 @@ def day_limits(*, latitude, declination):
         declination: declination of the sun, positive north, rad
 
     Returns:
-        rise: hour angle of sunrise
-        set: hour angle of sunset
+        rise: hour angle of sunrise, rad
+        set: hour angle of sunset, rad
         status 4 (BELOW_HORIZON): polar night: rise and set are both 0
         status 1 (CLAMPED): polar day: rise is -pi and set is pi
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("latitude", latitude, -1000.0, 1000.0, 0.3927),
@@ -381,7 +391,8 @@ class RefractionResult(NamedTuple):
 
 
 def refraction(*, elevation, pressure, temperature):
-    """Elevation as seen through the air.
+    """Elevation as seen through the air. Below -0.0145 rad the sun is left where it is: the
+    refraction, 0.0108 rad there, ends with a jump.
 
     9 flops (4 mul, 3 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2
 
@@ -392,6 +403,7 @@ def refraction(*, elevation, pressure, temperature):
 
     Returns:
         elevation: elevation as seen through the air, rad
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("elevation", elevation, -1.6, 1.6, 0.9763125),

@@ -9,6 +9,10 @@
 #error "answers.h is of another version than this file: copy both from one release"
 #endif
 
+#if defined(__FINITE_MATH_ONLY__) && (__FINITE_MATH_ONLY__ > 0)
+#error "the guards test for NaN and infinity: compile without -ffast-math"
+#endif
+
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #endif
@@ -38,7 +42,7 @@ int answers_both_signs_f32(float x, float y, float *root, float *a)
     const float azimuth = atan2f(t5, t6); /* answers-azimuth */
     const int farther = 1.0f < y; /* answers-farther */
     const int far = 1.0f < x; /* answers-far */
-    const int t7 = !(inside);
+    const int t7 = !inside;
     const int t8 = x < 0.0f;
     const int t9 = y < 0.0f;
     const int t10 = t8 && t9;

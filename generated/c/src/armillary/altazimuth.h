@@ -6,7 +6,9 @@
  * SI units, radians, right-handed frames; vectors at the boundary are local
  * east-north-up unless stated. Matrices are flat and row-major. Every function returns
  * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written.
+ * negative means that no result was written. No pointer may be null. Inputs are read
+ * before results are written, so they may overlap. Where an input and a result have one
+ * name, the result's argument ends in _out.
  */
 #ifndef ARMILLARY_ALTAZIMUTH_H
 #define ARMILLARY_ALTAZIMUTH_H
@@ -43,8 +45,8 @@ typedef struct {
  *     1000], working range [-3.2, 3.2]
  * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
  *     working range [-3.2, 3.2]
- * @param[out] M pose of the collector in East-North-Up axes at the foot of the column, 4 by 4,
- *     row-major (altazimuth-M)
+ * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
+ *     rotation beside the position of its origin in m, 4 by 4, row-major (altazimuth-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int altazimuth_pose_f32(const altazimuth_params_f32 *p, float gamma, float upsilon, float M[16]);
@@ -66,10 +68,13 @@ int altazimuth_pose_f32(const altazimuth_params_f32 *p, float gamma, float upsil
  *     (altazimuth-Omega_space)
  * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
  *     (altazimuth-Omega_body)
- * @param[out] v_origin velocity of the collector's origin, m/s (altazimuth-v_origin)
+ * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
+ *     (altazimuth-v_origin)
  * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
  *     m/s (altazimuth-v_spatial)
- * @param[out] V_space velocity matrix of the collector, 4 by 4, row-major (altazimuth-V_space)
+ * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
+ *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
+ *     (altazimuth-V_space)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int altazimuth_velocity_f32(
@@ -86,8 +91,9 @@ int altazimuth_velocity_f32(
  *     1000], working range [-3.2, 3.2]
  * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
  *     working range [-3.2, 3.2]
- * @param[out] J Jacobian: velocity of the collector's origin over its angular velocity, 6 by 2,
- *     row-major (altazimuth-J)
+ * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
+ *     its origin, m per unit of drive, over three for its angular velocity; columns gamma,
+ *     upsilon, 6 by 2, row-major (altazimuth-J)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int altazimuth_jacobian_f32(
@@ -131,8 +137,8 @@ typedef struct {
  *     1000], working range [-3.2, 3.2]
  * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
  *     working range [-3.2, 3.2]
- * @param[out] M pose of the collector in East-North-Up axes at the foot of the column, 4 by 4,
- *     row-major (altazimuth-M)
+ * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
+ *     rotation beside the position of its origin in m, 4 by 4, row-major (altazimuth-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int altazimuth_pose_f64(
@@ -155,10 +161,13 @@ int altazimuth_pose_f64(
  *     (altazimuth-Omega_space)
  * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
  *     (altazimuth-Omega_body)
- * @param[out] v_origin velocity of the collector's origin, m/s (altazimuth-v_origin)
+ * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
+ *     (altazimuth-v_origin)
  * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
  *     m/s (altazimuth-v_spatial)
- * @param[out] V_space velocity matrix of the collector, 4 by 4, row-major (altazimuth-V_space)
+ * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
+ *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
+ *     (altazimuth-V_space)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int altazimuth_velocity_f64(
@@ -175,8 +184,9 @@ int altazimuth_velocity_f64(
  *     1000], working range [-3.2, 3.2]
  * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
  *     working range [-3.2, 3.2]
- * @param[out] J Jacobian: velocity of the collector's origin over its angular velocity, 6 by 2,
- *     row-major (altazimuth-J)
+ * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
+ *     its origin, m per unit of drive, over three for its angular velocity; columns gamma,
+ *     upsilon, 6 by 2, row-major (altazimuth-J)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int altazimuth_jacobian_f64(

@@ -6,11 +6,11 @@
 #ifndef ARMILLARY_STATUS_H
 #define ARMILLARY_STATUS_H
 
-/** Every output is exact to rounding. */
+/** Every output is as accurate as the rounding of the inputs allows. */
 #define ARMILLARY_OK 0
 /** The nearest reachable answer was returned. */
 #define ARMILLARY_CLAMPED 1
-/** An angle is free here and was set to 0: hold that axis where it is. */
+/** An angle is free here, or nearly, and was set to 0: hold that axis where it is. */
 #define ARMILLARY_SINGULAR 2
 /** Friction holds the mechanism at rest. */
 #define ARMILLARY_STICKING 3

@@ -6,7 +6,9 @@
  * SI units, radians, right-handed frames; vectors at the boundary are local
  * east-north-up unless stated. Matrices are flat and row-major. Every function returns
  * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written.
+ * negative means that no result was written. No pointer may be null. Inputs are read
+ * before results are written, so they may overlap. Where an input and a result have one
+ * name, the result's argument ends in _out.
  */
 #ifndef ARMILLARY_EQUATORIAL_H
 #define ARMILLARY_EQUATORIAL_H
@@ -42,8 +44,8 @@ typedef struct {
  *     range [-3.2, 3.2]
  * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
  *     refused outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[out] M pose of the collector in East-North-Up axes at the foot of the column, 4 by 4,
- *     row-major (equatorial-M)
+ * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
+ *     rotation beside the position of its origin in m, 4 by 4, row-major (equatorial-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int equatorial_pose_f32(const equatorial_params_f32 *p, float incl, float epsilon, float M[16]);
@@ -65,10 +67,13 @@ int equatorial_pose_f32(const equatorial_params_f32 *p, float incl, float epsilo
  *     (equatorial-Omega_space)
  * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
  *     (equatorial-Omega_body)
- * @param[out] v_origin velocity of the collector's origin, m/s (equatorial-v_origin)
+ * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
+ *     (equatorial-v_origin)
  * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
  *     m/s (equatorial-v_spatial)
- * @param[out] V_space velocity matrix of the collector, 4 by 4, row-major (equatorial-V_space)
+ * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
+ *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
+ *     (equatorial-V_space)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int equatorial_velocity_f32(
@@ -85,8 +90,9 @@ int equatorial_velocity_f32(
  *     range [-3.2, 3.2]
  * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
  *     refused outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[out] J Jacobian: velocity of the collector's origin over its angular velocity, 6 by 2,
- *     row-major (equatorial-J)
+ * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
+ *     its origin, m per unit of drive, over three for its angular velocity; columns incl,
+ *     epsilon, 6 by 2, row-major (equatorial-J)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int equatorial_jacobian_f32(
@@ -130,8 +136,8 @@ typedef struct {
  *     range [-3.2, 3.2]
  * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
  *     refused outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[out] M pose of the collector in East-North-Up axes at the foot of the column, 4 by 4,
- *     row-major (equatorial-M)
+ * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
+ *     rotation beside the position of its origin in m, 4 by 4, row-major (equatorial-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int equatorial_pose_f64(const equatorial_params_f64 *p, double incl, double epsilon, double M[16]);
@@ -153,10 +159,13 @@ int equatorial_pose_f64(const equatorial_params_f64 *p, double incl, double epsi
  *     (equatorial-Omega_space)
  * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
  *     (equatorial-Omega_body)
- * @param[out] v_origin velocity of the collector's origin, m/s (equatorial-v_origin)
+ * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
+ *     (equatorial-v_origin)
  * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
  *     m/s (equatorial-v_spatial)
- * @param[out] V_space velocity matrix of the collector, 4 by 4, row-major (equatorial-V_space)
+ * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
+ *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
+ *     (equatorial-V_space)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int equatorial_velocity_f64(
@@ -173,8 +182,9 @@ int equatorial_velocity_f64(
  *     range [-3.2, 3.2]
  * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
  *     refused outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[out] J Jacobian: velocity of the collector's origin over its angular velocity, 6 by 2,
- *     row-major (equatorial-J)
+ * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
+ *     its origin, m per unit of drive, over three for its angular velocity; columns incl,
+ *     epsilon, 6 by 2, row-major (equatorial-J)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int equatorial_jacobian_f64(

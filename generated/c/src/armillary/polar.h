@@ -6,7 +6,9 @@
  * SI units, radians, right-handed frames; vectors at the boundary are local
  * east-north-up unless stated. Matrices are flat and row-major. Every function returns
  * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written.
+ * negative means that no result was written. No pointer may be null. Inputs are read
+ * before results are written, so they may overlap. Where an input and a result have one
+ * name, the result's argument ends in _out.
  */
 #ifndef ARMILLARY_POLAR_H
 #define ARMILLARY_POLAR_H
@@ -44,8 +46,8 @@ typedef struct {
  * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
  * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[out] M pose of the collector in East-North-Up axes at the foot of the column, 4 by 4,
- *     row-major (polar-M)
+ * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
+ *     rotation beside the position of its origin in m, 4 by 4, row-major (polar-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int polar_pose_f32(const polar_params_f32 *p, float epsilon, float D, float M[16]);
@@ -65,10 +67,13 @@ int polar_pose_f32(const polar_params_f32 *p, float epsilon, float D, float M[16
  *     (polar-Omega_space)
  * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
  *     (polar-Omega_body)
- * @param[out] v_origin velocity of the collector's origin, m/s (polar-v_origin)
+ * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
+ *     (polar-v_origin)
  * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
  *     m/s (polar-v_spatial)
- * @param[out] V_space velocity matrix of the collector, 4 by 4, row-major (polar-V_space)
+ * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
+ *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
+ *     (polar-V_space)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int polar_velocity_f32(
@@ -84,8 +89,9 @@ int polar_velocity_f32(
  * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
  * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[out] J Jacobian: velocity of the collector's origin over its angular velocity, 6 by 2,
- *     row-major (polar-J)
+ * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
+ *     its origin, m per unit of drive, over three for its angular velocity; columns epsilon, D,
+ *     6 by 2, row-major (polar-J)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int polar_jacobian_f32(const polar_params_f32 *p, float epsilon, float D, float J[12]);
@@ -152,8 +158,8 @@ typedef struct {
  * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
  * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[out] M pose of the collector in East-North-Up axes at the foot of the column, 4 by 4,
- *     row-major (polar-M)
+ * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
+ *     rotation beside the position of its origin in m, 4 by 4, row-major (polar-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int polar_pose_f64(const polar_params_f64 *p, double epsilon, double D, double M[16]);
@@ -173,10 +179,13 @@ int polar_pose_f64(const polar_params_f64 *p, double epsilon, double D, double M
  *     (polar-Omega_space)
  * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
  *     (polar-Omega_body)
- * @param[out] v_origin velocity of the collector's origin, m/s (polar-v_origin)
+ * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
+ *     (polar-v_origin)
  * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
  *     m/s (polar-v_spatial)
- * @param[out] V_space velocity matrix of the collector, 4 by 4, row-major (polar-V_space)
+ * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
+ *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
+ *     (polar-V_space)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int polar_velocity_f64(
@@ -192,8 +201,9 @@ int polar_velocity_f64(
  * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
  * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[out] J Jacobian: velocity of the collector's origin over its angular velocity, 6 by 2,
- *     row-major (polar-J)
+ * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
+ *     its origin, m per unit of drive, over three for its angular velocity; columns epsilon, D,
+ *     6 by 2, row-major (polar-J)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int polar_jacobian_f64(const polar_params_f64 *p, double epsilon, double D, double J[12]);

@@ -6,7 +6,9 @@
  * SI units, radians, right-handed frames; vectors at the boundary are local
  * east-north-up unless stated. Matrices are flat and row-major. Every function returns
  * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written.
+ * negative means that no result was written. No pointer may be null. Inputs are read
+ * before results are written, so they may overlap. Where an input and a result have one
+ * name, the result's argument ends in _out.
  */
 #ifndef ARMILLARY_QUASI_STEADY_H
 #define ARMILLARY_QUASI_STEADY_H
@@ -40,14 +42,14 @@ typedef struct {
  * @param[in] p parameters
  * @param[in] incl tilt of the collector, leaning north, rad, refused outside [-1000, 1000],
  *     working range [-3.2, 3.2]
- * @param[out] M pose of the collector in East-North-Up axes at the foot of the column, 4 by 4,
- *     row-major (quasi_steady-M)
+ * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
+ *     rotation beside the position of its origin in m, 4 by 4, row-major (quasi_steady-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int quasi_steady_pose_f32(const quasi_steady_params_f32 *p, float incl, float M[16]);
 
 /**
- * @brief Motion of the collector while the tilt runs.
+ * @brief Motion of the collector while the drive runs.
  *
  * Cost: 9 flops (7 mul, 2 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] p parameters
@@ -59,10 +61,13 @@ int quasi_steady_pose_f32(const quasi_steady_params_f32 *p, float incl, float M[
  *     (quasi_steady-Omega_space)
  * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
  *     (quasi_steady-Omega_body)
- * @param[out] v_origin velocity of the collector's origin, m/s (quasi_steady-v_origin)
+ * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
+ *     (quasi_steady-v_origin)
  * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
  *     m/s (quasi_steady-v_spatial)
- * @param[out] V_space velocity matrix of the collector, 4 by 4, row-major (quasi_steady-V_space)
+ * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
+ *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
+ *     (quasi_steady-V_space)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int quasi_steady_velocity_f32(
@@ -70,14 +75,15 @@ int quasi_steady_velocity_f32(
     float Omega_body[3], float v_origin[3], float v_spatial[3], float V_space[16]);
 
 /**
- * @brief Motion of the collector per unit speed of the tilt.
+ * @brief Motion of the collector per unit speed of the drive.
  *
  * Cost: 6 flops (4 mul, 2 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: L_0
  * @param[in] incl tilt of the collector, leaning north, rad, refused outside [-1000, 1000],
  *     working range [-3.2, 3.2]
- * @param[out] J Jacobian: velocity of the collector's origin over its angular velocity, 6 by 1,
- *     row-major (quasi_steady-J)
+ * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
+ *     its origin, m per unit of drive, over three for its angular velocity; columns incl, 6 by
+ *     1, row-major (quasi_steady-J)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int quasi_steady_jacobian_f32(const quasi_steady_params_f32 *p, float incl, float J[6]);
@@ -117,14 +123,14 @@ typedef struct {
  * @param[in] p parameters
  * @param[in] incl tilt of the collector, leaning north, rad, refused outside [-1000, 1000],
  *     working range [-3.2, 3.2]
- * @param[out] M pose of the collector in East-North-Up axes at the foot of the column, 4 by 4,
- *     row-major (quasi_steady-M)
+ * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
+ *     rotation beside the position of its origin in m, 4 by 4, row-major (quasi_steady-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int quasi_steady_pose_f64(const quasi_steady_params_f64 *p, double incl, double M[16]);
 
 /**
- * @brief Motion of the collector while the tilt runs.
+ * @brief Motion of the collector while the drive runs.
  *
  * Cost: 9 flops (7 mul, 2 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] p parameters
@@ -136,10 +142,13 @@ int quasi_steady_pose_f64(const quasi_steady_params_f64 *p, double incl, double 
  *     (quasi_steady-Omega_space)
  * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
  *     (quasi_steady-Omega_body)
- * @param[out] v_origin velocity of the collector's origin, m/s (quasi_steady-v_origin)
+ * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
+ *     (quasi_steady-v_origin)
  * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
  *     m/s (quasi_steady-v_spatial)
- * @param[out] V_space velocity matrix of the collector, 4 by 4, row-major (quasi_steady-V_space)
+ * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
+ *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
+ *     (quasi_steady-V_space)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int quasi_steady_velocity_f64(
@@ -147,14 +156,15 @@ int quasi_steady_velocity_f64(
     double Omega_body[3], double v_origin[3], double v_spatial[3], double V_space[16]);
 
 /**
- * @brief Motion of the collector per unit speed of the tilt.
+ * @brief Motion of the collector per unit speed of the drive.
  *
  * Cost: 6 flops (4 mul, 2 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: L_0
  * @param[in] incl tilt of the collector, leaning north, rad, refused outside [-1000, 1000],
  *     working range [-3.2, 3.2]
- * @param[out] J Jacobian: velocity of the collector's origin over its angular velocity, 6 by 1,
- *     row-major (quasi_steady-J)
+ * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
+ *     its origin, m per unit of drive, over three for its angular velocity; columns incl, 6 by
+ *     1, row-major (quasi_steady-J)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int quasi_steady_jacobian_f64(const quasi_steady_params_f64 *p, double incl, double J[6]);

@@ -9,6 +9,10 @@
 #error "steady.h is of another version than this file: copy both from one release"
 #endif
 
+#if defined(__FINITE_MATH_ONLY__) && (__FINITE_MATH_ONLY__ > 0)
+#error "the guards test for NaN and infinity: compile without -ffast-math"
+#endif
+
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #endif

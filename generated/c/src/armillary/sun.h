@@ -6,7 +6,9 @@
  * SI units, radians, right-handed frames; vectors at the boundary are local
  * east-north-up unless stated. Matrices are flat and row-major. Every function returns
  * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written.
+ * negative means that no result was written. No pointer may be null. Inputs are read
+ * before results are written, so they may overlap. Where an input and a result have one
+ * name, the result's argument ends in _out.
  */
 #ifndef ARMILLARY_SUN_H
 #define ARMILLARY_SUN_H
@@ -51,7 +53,7 @@ int sun_direction_f32(float latitude, float declination, float hour_angle, float
  *     (sun-elevation_of_sun)
  * @param[out] azimuth azimuth of the sun from north, clockwise, rad (sun-azimuth_of_sun)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   SINGULAR: the sun is at the zenith: its azimuth is free
+ *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: its azimuth is free
  */
 int sun_angles_f32(
     float latitude, float declination, float hour_angle, float *elevation, float *azimuth);
@@ -71,7 +73,7 @@ int sun_angles_f32(
  * @param[out] elevation_rate rate of the elevation, rad/s (sun-elevation_rate)
  * @param[out] azimuth_rate rate of the azimuth, rad/s (sun-azimuth_rate)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   SINGULAR: the sun is at the zenith: its azimuth is free
+ *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: its azimuth is free
  */
 int sun_rates_f32(
     float latitude, float declination, float hour_angle, float hour_angle_rate,
@@ -98,7 +100,7 @@ int sun_hour_angle_f32(float utc, float longitude, float equation_of_time, float
  * Cost: 3 flops (2 mul, 1 add, 0 div, 0 sqrt), 1 sin/cos, 0 atan2.
  * @param[in] day day of the year, 1.0 at 1 January 0 h UTC, with its fraction, refused outside
  *     [-1000, 1000], working range [1, 367]
- * @param[out] declination declination by Cooper's formula (sun-declination_cooper)
+ * @param[out] declination declination by Cooper's formula, rad (sun-declination_cooper)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int sun_cooper_f32(float day, float *declination);
@@ -109,7 +111,7 @@ int sun_cooper_f32(float day, float *declination);
  * Cost: 3 flops (2 mul, 1 add, 0 div, 0 sqrt), 1 sin/cos, 0 atan2.
  * @param[in] day day of the year, 1.0 at 1 January 0 h UTC, with its fraction, refused outside
  *     [-1000, 1000], working range [1, 367]
- * @param[out] declination declination by the cosine formula (sun-declination_cosine)
+ * @param[out] declination declination by the cosine formula, rad (sun-declination_cosine)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int sun_cosine_f32(float day, float *declination);
@@ -120,7 +122,7 @@ int sun_cosine_f32(float day, float *declination);
  * Cost: 31 flops (17 mul, 14 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] day day of the year, 1.0 at 1 January 0 h UTC, with its fraction, refused outside
  *     [-1000, 1000], working range [1, 367]
- * @param[out] declination declination by Spencer's series (sun-declination_spencer)
+ * @param[out] declination declination by Spencer's series, rad (sun-declination_spencer)
  * @param[out] equation_of_time equation of time by Spencer's series, s
  *     (sun-equation_of_time_spencer)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -136,8 +138,8 @@ int sun_spencer_f32(float day, float *declination, float *equation_of_time);
  *     working range [-1.5708, 1.5708]
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
  *     1000], working range [-0.4102, 0.4102]
- * @param[out] rise hour angle of sunrise (sun-sunrise)
- * @param[out] set hour angle of sunset (sun-sunset)
+ * @param[out] rise hour angle of sunrise, rad (sun-sunrise)
+ * @param[out] set hour angle of sunset, rad (sun-sunset)
  * @return ARMILLARY_OK, ARMILLARY_BELOW_HORIZON, ARMILLARY_CLAMPED, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   BELOW_HORIZON: polar night: rise and set are both 0
@@ -146,7 +148,8 @@ int sun_spencer_f32(float day, float *declination, float *equation_of_time);
 int sun_day_limits_f32(float latitude, float declination, float *rise, float *set);
 
 /**
- * @brief Elevation as seen through the air.
+ * @brief Elevation as seen through the air. Below -0.0145 rad the sun is left where it is: the
+ *     refraction, 0.0108 rad there, ends with a jump.
  *
  * Cost: 9 flops (4 mul, 3 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] elevation elevation of the sun above the horizon, without refraction, rad, refused
@@ -191,7 +194,7 @@ int sun_direction_f64(double latitude, double declination, double hour_angle, do
  *     (sun-elevation_of_sun)
  * @param[out] azimuth azimuth of the sun from north, clockwise, rad (sun-azimuth_of_sun)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   SINGULAR: the sun is at the zenith: its azimuth is free
+ *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: its azimuth is free
  */
 int sun_angles_f64(
     double latitude, double declination, double hour_angle, double *elevation, double *azimuth);
@@ -211,7 +214,7 @@ int sun_angles_f64(
  * @param[out] elevation_rate rate of the elevation, rad/s (sun-elevation_rate)
  * @param[out] azimuth_rate rate of the azimuth, rad/s (sun-azimuth_rate)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   SINGULAR: the sun is at the zenith: its azimuth is free
+ *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: its azimuth is free
  */
 int sun_rates_f64(
     double latitude, double declination, double hour_angle, double hour_angle_rate,
@@ -238,7 +241,7 @@ int sun_hour_angle_f64(double utc, double longitude, double equation_of_time, do
  * Cost: 3 flops (2 mul, 1 add, 0 div, 0 sqrt), 1 sin/cos, 0 atan2.
  * @param[in] day day of the year, 1.0 at 1 January 0 h UTC, with its fraction, refused outside
  *     [-1000, 1000], working range [1, 367]
- * @param[out] declination declination by Cooper's formula (sun-declination_cooper)
+ * @param[out] declination declination by Cooper's formula, rad (sun-declination_cooper)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int sun_cooper_f64(double day, double *declination);
@@ -249,7 +252,7 @@ int sun_cooper_f64(double day, double *declination);
  * Cost: 3 flops (2 mul, 1 add, 0 div, 0 sqrt), 1 sin/cos, 0 atan2.
  * @param[in] day day of the year, 1.0 at 1 January 0 h UTC, with its fraction, refused outside
  *     [-1000, 1000], working range [1, 367]
- * @param[out] declination declination by the cosine formula (sun-declination_cosine)
+ * @param[out] declination declination by the cosine formula, rad (sun-declination_cosine)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int sun_cosine_f64(double day, double *declination);
@@ -260,7 +263,7 @@ int sun_cosine_f64(double day, double *declination);
  * Cost: 31 flops (17 mul, 14 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] day day of the year, 1.0 at 1 January 0 h UTC, with its fraction, refused outside
  *     [-1000, 1000], working range [1, 367]
- * @param[out] declination declination by Spencer's series (sun-declination_spencer)
+ * @param[out] declination declination by Spencer's series, rad (sun-declination_spencer)
  * @param[out] equation_of_time equation of time by Spencer's series, s
  *     (sun-equation_of_time_spencer)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -276,8 +279,8 @@ int sun_spencer_f64(double day, double *declination, double *equation_of_time);
  *     working range [-1.5708, 1.5708]
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
  *     1000], working range [-0.4102, 0.4102]
- * @param[out] rise hour angle of sunrise (sun-sunrise)
- * @param[out] set hour angle of sunset (sun-sunset)
+ * @param[out] rise hour angle of sunrise, rad (sun-sunrise)
+ * @param[out] set hour angle of sunset, rad (sun-sunset)
  * @return ARMILLARY_OK, ARMILLARY_BELOW_HORIZON, ARMILLARY_CLAMPED, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   BELOW_HORIZON: polar night: rise and set are both 0
@@ -286,7 +289,8 @@ int sun_spencer_f64(double day, double *declination, double *equation_of_time);
 int sun_day_limits_f64(double latitude, double declination, double *rise, double *set);
 
 /**
- * @brief Elevation as seen through the air.
+ * @brief Elevation as seen through the air. Below -0.0145 rad the sun is left where it is: the
+ *     refraction, 0.0108 rad there, ends with a jump.
  *
  * Cost: 9 flops (4 mul, 3 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] elevation elevation of the sun above the horizon, without refraction, rad, refused
