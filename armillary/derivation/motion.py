@@ -17,16 +17,16 @@ from armillary.mechanism.chain import Chain
 B = TypeVar("B", bound=Block)
 
 _MEANINGS = {
-    "M": "pose of the {tip} in East-North-Up axes at {foot}: its rotation beside the position of "
-    "its origin in m",
+    "M": "pose of the {tip} in East-North-Up axes at {foot}: its rotation beside the position "
+    "of its origin in m",
     "Omega_space": "angular velocity of the {tip} in East-North-Up axes",
     "Omega_body": "angular velocity of the {tip} in its own axes",
     "v_origin": "velocity of the {tip}'s origin in East-North-Up axes",
     "v_spatial": "velocity of the {tip}'s point that passes {foot}",
-    "V_space": "velocity matrix of the {tip}: skew angular velocity in rad/s beside the velocity at "
-    "{foot} in m/s, East-North-Up axes",
-    "J": "Jacobian of the {tip} in East-North-Up axes: three rows for the velocity of its origin, m "
-    "per unit of drive, over three for its angular velocity; columns {drives}",
+    "V_space": "velocity matrix of the {tip}: skew angular velocity in rad/s beside the velocity "
+    "at {foot} in m/s, East-North-Up axes",
+    "J": "Jacobian of the {tip} in East-North-Up axes: three rows for the velocity of its origin, "
+    "m per unit of drive, over three for its angular velocity; columns {drives}",
 }
 _REASONS = {
     "M": "The pose of the {tip} is the product of its joints from the {base} up.",

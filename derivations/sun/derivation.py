@@ -444,9 +444,9 @@ temperature_0 = d.constant(
 below = d.define(
     "below",
     elevation < -degrees("0.83337"),
-    because="The sun's radius is 0.26667 degrees and refraction at the horizon 0.5667 degrees: lower "
-    "than both together not even the upper limb is seen. The NREL algorithm stops here, and so do "
-    "we.",
+    because="The sun's radius is 0.26667 degrees and refraction at the horizon 0.5667 degrees: "
+    "lower than both together not even the upper limb is seen. The NREL algorithm stops here, and "
+    "so do we.",
     meaning="whether the whole disc is below the horizon",
 )
 seen = d.define(
