@@ -50,7 +50,11 @@ _RESERVED_FOR = {
     "kernel": dict.fromkeys(_OF_MODULES.split(), "used by the generated kernels themselves"),
     "derivation": dict.fromkeys(_HEADERS.split(), "the name of a C header"),
 }
-_RESERVED_FOR["system"] = _RESERVED_FOR["derivation"]
+_RESERVED_FOR["system"] = {
+    **_RESERVED_FOR["derivation"],
+    "native": "where the compiled kernels are imported from",
+    "papers": "the folder of the papers' own facts",
+}
 _IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 
 

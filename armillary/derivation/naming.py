@@ -51,4 +51,6 @@ def _entry(name: str, identifier: str, i: int, j: int, entry: s.Scalar) -> s.Sca
 
 def latex_name(name: str) -> str:
     """The printed form of a code name: Omega_space, L_0, gamma_dot."""
-    return str(sympy.latex(sympy.Symbol(name)))
+    printed = str(sympy.latex(sympy.Symbol(name)))
+    # A word in italics would read as a product of letters.
+    return rf"\mathrm{{{name}}}" if printed == name and len(name) > 1 else printed

@@ -29,6 +29,12 @@ def make_project(folder: Path, name: str | None) -> list[Path]:
             f"{name!r} cannot name a project",
             "give one with --name: small letters, digits and underscores, first a letter",
         )
+    alike = [s for s in project.systems() if s != name and s.casefold() == name.casefold()]
+    if alike:
+        raise ProjectError(
+            f"{name} and {alike[0]} would be one folder where case does not count",
+            "choose another name",
+        )
     facts = {"name": name, "title": _title(name), "kernels": f"{name}_kernels"}
     made = _write("project", folder, facts)
     (folder / "derivations").mkdir(exist_ok=True)
@@ -46,6 +52,12 @@ def make_system(project: Project, name: str) -> list[Path]:
         check_name(name, "system", Source(str(folder / "derivation.py"), 1))
     except DerivationError as problem:
         raise ProjectError(problem.problem, problem.mend) from None
+    alike = [s for s in project.systems() if s != name and s.casefold() == name.casefold()]
+    if alike:
+        raise ProjectError(
+            f"{name} and {alike[0]} would be one folder where case does not count",
+            "choose another name",
+        )
     facts = {"name": name, "title": _title(name), "kernels": project.kernels}
     return _write("system", folder, facts)
 

@@ -64,7 +64,7 @@ def test_init_wants_a_name_that_python_and_c_take(run: Run, tmp_path: Path):
     assert "--name" in done.stderr
 
 
-@pytest.mark.parametrize("name", ["class", "9lives", "a__b", "M_PI"])
+@pytest.mark.parametrize("name", ["class", "9lives", "a__b", "M_PI", "native", "papers", "Alone"])
 def test_new_refuses_a_name_that_a_language_claims(run: Run, small: Project, name: str):
     done = run(small.root, "new", name)
     assert done.returncode == 1
