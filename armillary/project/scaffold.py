@@ -29,12 +29,6 @@ def make_project(folder: Path, name: str | None) -> list[Path]:
             f"{name!r} cannot name a project",
             "give one with --name: small letters, digits and underscores, first a letter",
         )
-    alike = [s for s in project.systems() if s != name and s.casefold() == name.casefold()]
-    if alike:
-        raise ProjectError(
-            f"{name} and {alike[0]} would be one folder where case does not count",
-            "choose another name",
-        )
     facts = {"name": name, "title": _title(name), "kernels": f"{name}_kernels"}
     made = _write("project", folder, facts)
     (folder / "derivations").mkdir(exist_ok=True)

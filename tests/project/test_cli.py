@@ -115,7 +115,7 @@ def test_show_tells_reasons_places_and_formulas(run: Run, small: Project):
     assert "far = reach + 1" in said
     assert "user_far_off_f32(" in said
     said = run(small.root, "show", "base", "both", "--latex").stdout
-    assert "reach = 2 \\cos{\\left(turn \\right)}" in said
+    assert "\\mathrm{reach} = 2 \\cos{\\left(turn \\right)}" in said
     done = run(small.root, "show", "base", "nothing")
     assert (done.returncode, done.stderr) == (
         1,
