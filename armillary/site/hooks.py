@@ -71,6 +71,14 @@ def with_systems(nav: list[Any] | None, derivations: dict[str, Derivation]) -> l
     return filled if {SECTION: pages} in filled else [*filled, {SECTION: pages}]
 
 
+def on_files(files: Any, **_: Any) -> Any:
+    """Leave out what MkDocs would now copy as it is: the unfilled template of the site map."""
+    for file in list(files):
+        if file.src_uri == "sitemap.xml":
+            files.remove(file)
+    return files
+
+
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     """Replace the marks of a hand-written page."""
     if page.file.src_uri.startswith(f"{FOLDER}/"):

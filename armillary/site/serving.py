@@ -10,11 +10,18 @@ from typing import Any
 
 from armillary.derivation.errors import DerivationError
 from armillary.site.errors import SiteError
-from armillary.site.hooks import configure, is_fresh, on_page_markdown, on_post_build, refresh
+from armillary.site.hooks import (
+    configure,
+    is_fresh,
+    on_files,
+    on_page_markdown,
+    on_post_build,
+    refresh,
+)
 
 log = logging.getLogger("mkdocs.armillary")
 
-__all__ = ["on_config", "on_page_markdown", "on_post_build"]
+__all__ = ["on_config", "on_files", "on_page_markdown", "on_post_build"]
 
 
 def on_config(config: Any) -> Any:
