@@ -42,7 +42,7 @@ package: environment
 katex: environment ## Copy KaTeX into the theme, from npm by the lock file
 	$(ONCE) build/stamps/katex --reads package.json package-lock.json .npmrc tools/copy_katex.py \
 	  --makes $(addprefix armillary/site/theme/assets/katex/,katex.min.js katex.min.css LICENSE) -- \
-	  sh -c 'PATH="$(CURDIR)/$(BIN):$$PATH" npm ci --silent && $(BIN)/python tools/copy_katex.py'
+	  sh -c 'PATH="$(CURDIR)/$(BIN):$$PATH" npm ci --loglevel=error --no-audit --no-fund && $(BIN)/python tools/copy_katex.py'
 
 generate: package ## Regenerate the kernels that changed
 	$(ONCE) build/stamps/generate --reads $(SOURCES) --updates generated \
