@@ -1,12 +1,17 @@
 """The cost that a header states is what the code performs: counted by running it."""
 
+import pytest
+
 from armillary.program.cost import cost
 from armillary.program.program import Op
 from armillary.program.sample import sample_points
 from armillary.targets.c import function_name, params_type
 from benchmarks.count.count import run_source
+from tests.targets.compilers import needs
 
 
+@pytest.mark.tool
+@needs("g++")
 def test_stated_cost_is_what_runs(printed):
     checked = 0
     for (system, name), made in printed.compiled.items():
