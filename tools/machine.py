@@ -43,7 +43,7 @@ class Sanitizers(Tool):
 
 TOOLS = (
     Tool("gcc", "everything that compiles C", ("gcc", "libc6-dev")),
-    Tool("g++", "the headers as C++", ("g++",)),
+    Tool("g++", "the headers as C++, and the stated costs by counting", ("g++",)),
     Tool("clang", "the C under clang's warnings", ("clang",)),
     Sanitizers("clang's sanitizers", "the C under clang's ASan and UBSan", ("libclang-rt-dev",)),
     Tool(
