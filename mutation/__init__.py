@@ -1,0 +1,1 @@
+"""Mutation runs: whether the checks see a wrong sign, function, order or term."""
