@@ -1,15 +1,17 @@
-"""Finds and loads derivations: `<root>/<name>/derivation.py`, one `derivation` each."""
+"""Finds and loads derivations: `<root>/<name>/derivation.py`, one `derivation` each.
+
+Its parts may stand in files beside it, which it imports with `from .part import ...`.
+"""
 
 from __future__ import annotations
 
-import sys
 import traceback
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 
+from armillary.derivation import beside
 from armillary.derivation.errors import DerivationError, Source
 from armillary.derivation.mends import told_and_mended
 from armillary.derivation.record import Derivation
@@ -25,7 +27,7 @@ def names(root: Path) -> list[str]:
 
 def load_all(root: Path) -> dict[str, Derivation]:
     """Every derivation below a folder; each file is run once."""
-    with _shared():
+    with shared():
         return {name: load(root / name / "derivation.py") for name in names(root)}
 
 
@@ -43,7 +45,7 @@ def load(path: Path) -> Derivation:
     if path in _loading.get():
         ring = " -> ".join(p.parent.name for p in (*_loading.get(), path))
         raise DerivationError(f"derivations use each other in a ring: {ring}", "break the ring")
-    with _shared() as done:
+    with shared() as done:
         if path not in done:
             token = _loading.set((*_loading.get(), path))
             try:
@@ -65,7 +67,7 @@ def load_beside(source: Source, name: str) -> Derivation:
 
 
 @contextmanager
-def _shared() -> Iterator[dict[Path, Derivation]]:
+def shared() -> Iterator[dict[Path, Derivation]]:
     """One record per file within one call, so that two users share the same symbols."""
     done = _loaded.get()
     if done is not None:
@@ -81,21 +83,14 @@ def _shared() -> Iterator[dict[Path, Derivation]]:
 
 
 def _run(path: Path) -> Derivation:
-    spec = spec_from_file_location(f"_armillary_derivation_{path.parent.name}", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = module_from_spec(spec)
-    keep, sys.dont_write_bytecode = sys.dont_write_bytecode, True
     try:
-        spec.loader.exec_module(module)
+        ran = beside.run(path)
     except DerivationError:
         raise
     except Exception as problem:
-        source = _last_line_in(path, problem)
+        source = last_line_of(path, problem)
         raise DerivationError(*told_and_mended(problem, source), source) from problem
-    finally:
-        sys.dont_write_bytecode = keep
-    made = getattr(module, "derivation", None)
+    made = getattr(ran.module, "derivation", None)
     if not isinstance(made, Derivation):
         raise DerivationError(
             "the file makes no derivation",
@@ -108,15 +103,17 @@ def _run(path: Path) -> Derivation:
             "give both one name",
             made.source,
         )
+    made.files = tuple(map(str, ran.files))
     return made
 
 
-def _last_line_in(path: Path, problem: BaseException) -> Source:
+def last_line_of(path: Path, problem: BaseException) -> Source:
+    """The innermost line of a derivation's folder that a problem went through."""
     if isinstance(problem, SyntaxError) and problem.lineno is not None:
         return Source(problem.filename or str(path), problem.lineno)
     lines = [
-        f.lineno
+        Source(f.filename, f.lineno)
         for f in traceback.extract_tb(problem.__traceback__)
-        if Path(f.filename).resolve() == path and f.lineno is not None
+        if Path(f.filename).resolve().parent == path.parent and f.lineno is not None
     ]
-    return Source(str(path), lines[-1] if lines else 1)
+    return lines[-1] if lines else Source(str(path), 1)

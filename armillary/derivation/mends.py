@@ -9,6 +9,7 @@ import sys
 import sympy
 
 from armillary.algebra.misuse import MisuseError
+from armillary.derivation.beside import PREFIX
 from armillary.derivation.errors import Source
 
 # What stands in a message of Python, and the mend of it; the first that is found is told.
@@ -77,7 +78,11 @@ def _mend(problem: Exception, source: Source) -> str:
 
 
 def _of_import(problem: ImportError) -> str:
-    package = (problem.name or "").split(".")[0]
+    package, _, module = (problem.name or "").partition(".")
+    if package.startswith(PREFIX):
+        return _of_beside(module, isinstance(problem, ModuleNotFoundError))
+    if problem.name is None and "relative import" in str(problem):
+        return '`d.use("name")` is the way to another system; imports stay in one folder'
     if package != "armillary":
         return (
             f"correct the spelling of {package}, or install it beside armillary; "
@@ -87,6 +92,16 @@ def _of_import(problem: ImportError) -> str:
     if words is None:
         return "import what a derivation needs with `from armillary import ...`"
     return f"import words that armillary has: {', '.join(words)}"
+
+
+def _of_beside(module: str, missing: bool) -> str:
+    """The mend of an import from a file beside the derivation."""
+    if missing:
+        return f"write {module}.py beside derivation.py, or correct the name after the point"
+    return (
+        f"correct the spelling of what is imported from {module}.py; "
+        "two files that import each other do not work"
+    )
 
 
 def _of_type(problem: Exception, source: Source) -> str:

@@ -7,6 +7,7 @@ from typing import Any, TypeVar
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
+from armillary.algebra.rotation import RotationSymbol
 from armillary.derivation.checking import (
     as_cases,
     as_inputs,
@@ -32,6 +33,7 @@ from armillary.derivation.quantity import (
     Quantity,
     Rate,
     Role,
+    RotationQuantity,
     VectorQuantity,
 )
 from armillary.derivation.statements import (
@@ -50,7 +52,7 @@ from armillary.derivation.units import (
 from armillary.mechanism.chain import Chain
 
 B = TypeVar("B", bound=Block)
-Q = TypeVar("Q", Quantity, VectorQuantity)
+Q = TypeVar("Q", Quantity, VectorQuantity, RotationQuantity)
 
 
 class Derivation(Quantities):
@@ -79,6 +81,7 @@ class Derivation(Quantities):
         self.assumptions: list[str] = []
         self.pictures: list[Picture] = []
         self.used: dict[str, Used] = {}
+        self.files: tuple[str, ...] = ()  # what it was read from, once it is loaded
         self._by_value: dict[int, Definition] = {}
 
     # -- stating ------------------------------------------------------------------------------
@@ -150,7 +153,7 @@ class Derivation(Quantities):
         self,
         name: str,
         *,
-        inputs: Sequence[s.Symbol | v.VectorSymbol],
+        inputs: Sequence[s.Symbol | v.VectorSymbol | RotationSymbol],
         outputs: Sequence[Block] | Mapping[str, Block],
         summary: str = "",
         cases: Sequence[tuple[Status, s.Condition, str]] = (),

@@ -157,7 +157,7 @@ def _from_facts(name: str, facts: Facts) -> KernelFacts:
 
 def _reads(project: Project, derivation: Derivation) -> tuple[str, ...]:
     """Files that a derivation is read from: its own, those it uses, and what they import."""
-    paths = {Path(d.source.path).resolve() for d in _used(derivation)}
+    paths = {Path(file).resolve() for d in _used(derivation) for file in d.files}
     for module in list(sys.modules.values()):
         origin = getattr(module, "__file__", None)
         if origin and project.derivations in Path(origin).parents:

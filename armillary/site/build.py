@@ -21,6 +21,7 @@ from mkdocs.exceptions import Abort, ConfigurationError
 from mkdocs.utils.yaml import yaml_load
 
 from armillary.site.errors import SiteError
+from armillary.site.studies import telling
 from armillary.store.lock import locked
 
 _HERE = Path(__file__).parent
@@ -46,7 +47,7 @@ def build_site(
         DerivationError: for anything wrong in a derivation.
     """
     lock = locked(root / _LOCK, lambda: say("waiting for another build to finish"))
-    with _plain_errors(), lock:
+    with _plain_errors(), lock, telling(say):
         config = load_config(str(_config_file(root)), **_options(root), strict=strict)
         wanted = (out if out is not None else Path(config.site_dir)).resolve()
         draft = wanted.with_name(f".{wanted.name}.new")
@@ -66,7 +67,8 @@ def serve(root: Path, address: str = ADDRESS) -> None:
     talk = logging.getLogger("mkdocs")  # it says where it serves, and what it rebuilds
     talk.setLevel(logging.INFO)
     talk.addHandler(logging.StreamHandler())
-    watched = [root / "derivations", root / "generated", root / "build" / "checks.json"]
+    found = (root / "build" / name for name in ("checks.json", "audit.json"))
+    watched = [root / "derivations", root / "generated", *found]
     with _plain_errors():
         mkdocs_serve.serve(
             str(_config_file(root)),

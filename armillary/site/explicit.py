@@ -13,9 +13,10 @@ from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.algebra.explicit import Explicit, Node
 from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench
-from armillary.algebra.rotation import Rotation
+from armillary.algebra.rotation import Rotation, RotationSymbol
 from armillary.derivation.statements import Definition
-from armillary.site.idioms import number_latex
+from armillary.derivation.symbols import Leaf
+from armillary.site.idioms import entry_of, number_latex
 from armillary.site.notation import REFERENCES, Notation, definition_latex, subscripted
 from armillary.site.structure import array
 
@@ -59,6 +60,11 @@ class PageForm(Explicit):
         if isinstance(node, (v.VectorSymbol, v.VectorReference)):
             latex = self._latex(node)
             return sympy.Matrix([self._symbol(subscripted(latex, axis)) for axis in v.AXIS_NAMES])
+        if isinstance(node, RotationSymbol):
+            latex = self._latex(node)
+            return sympy.Matrix(
+                3, 3, lambda i, j: self._symbol(subscripted(latex, f"{i + 1}{j + 1}"))
+            )
         if isinstance(node, s.Number):
             return self._number(node.value)
         return super().__call__(node)
@@ -66,7 +72,7 @@ class PageForm(Explicit):
     def _latex(self, node: Node) -> str:
         if isinstance(node, REFERENCES):
             return self.notation.reference(node)
-        assert isinstance(node, (s.Symbol, v.VectorSymbol))
+        assert isinstance(node, Leaf)
         return self.notation.leaf(node)
 
     def _symbol(self, latex: str) -> sympy.Symbol:
@@ -207,7 +213,9 @@ def _nodes(expression: object) -> Iterator[object]:
             continue
         seen.add(id(node))
         yield node
-        if isinstance(node, (*REFERENCES, s.Symbol, v.VectorSymbol)):
+        if isinstance(node, (*REFERENCES, Leaf)):
+            continue
+        if isinstance(node, s.Component) and entry_of(node) is not None:
             continue
         if isinstance(node, tuple):
             stack.extend(node)

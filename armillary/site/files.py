@@ -3,38 +3,57 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
-from armillary.derivation.load import load_all
+from armillary.derivation.load import load_all, shared
 from armillary.derivation.record import Derivation
 from armillary.site.facts import read_facts
-from armillary.site.measured import measured_plots
 from armillary.site.pages import index_page, system_page
+from armillary.site.papers import PAPERS, audited_papers, paper_texts, prints_of
 from armillary.site.references import read_references
+from armillary.site.studies import studied
 from armillary.store.files import digest, digest_of, replace_durably
 from armillary.store.lock import locked
 
 FOLDER = "systems"
+CHAPTER = "auditing.md"  # where a project explains the audit
 _LOCK = Path("build") / "pages.lock"
 
 
-def write_pages(root: Path, docs: Path) -> dict[str, Derivation]:
-    """Bring `<docs>/systems` up to date; tells the derivations.
+@dataclass(frozen=True)
+class Written:
+    """What has pages: the derivations by name, and the short names of the papers by key."""
+
+    derivations: dict[str, Derivation]
+    papers: dict[str, str]
+
+
+def write_pages(root: Path, docs: Path) -> Written:
+    """Bring `<docs>/systems` and `<docs>/papers` up to date; tells what has a page.
 
     Raises:
-        DerivationError: for anything wrong in a derivation; then no page is touched.
+        DerivationError: for anything wrong in a derivation or a paper; then no page is touched.
         SiteError: for a paper that is not in the project's table.
     """
-    derivations = load_all(root / "derivations")
+    with shared():
+        derivations = load_all(root / "derivations")
+        papers = audited_papers(root)
     facts, references = read_facts(root), read_references(root)
+    printed = prints_of(papers, references)
     texts = {"index.md": index_page(derivations.values())}
     for name, derivation in derivations.items():
         texts[f"{name}.md"] = system_page(
-            derivation, facts, references, measured_plots(root, name, facts)
+            derivation, facts, references, studied(root, derivation, facts), printed
         )
+    told = paper_texts(papers, references, (docs / CHAPTER).is_file())
     with locked(root / _LOCK, lambda: None):  # held for a moment only
         replace_folder(docs / FOLDER, texts)
-    return derivations
+        if told or (docs / PAPERS).is_dir():
+            replace_folder(docs / PAPERS, told)
+    return Written(
+        derivations, {one.paper.name: references[one.paper.name].short for one in papers}
+    )
 
 
 def replace_folder(folder: Path, texts: Mapping[str, str]) -> list[str]:

@@ -1,8 +1,8 @@
 """What MkDocs calls while it builds an Armillary site; `build.py` names this file to it.
 
 MkDocs reads the project's own mkdocs.yml. These events add what only the derivations know: the
-pages of the systems before the build, their place in the navigation, the marks in hand-written
-pages, and the search index as a script after it.
+pages of the systems and papers before the build, their place in the navigation, the marks in
+hand-written pages, and the search index as a script after it.
 """
 
 from __future__ import annotations
@@ -13,9 +13,11 @@ from typing import Any
 from armillary.derivation.record import Derivation
 from armillary.site.files import FOLDER, write_pages
 from armillary.site.marks import fill_marks
+from armillary.site.papers import PAPERS
 from armillary.site.search import wrap_search_index
 
 SECTION = "Systems"
+PAPER_SECTION = "Papers"
 # What the generated pages are written in.
 _EXTENSIONS: dict[str, dict[str, Any]] = {
     "admonition": {},
@@ -27,6 +29,7 @@ _EXTENSIONS: dict[str, dict[str, Any]] = {
     "toc": {"permalink": "#", "permalink_title": "Link to this heading"},
 }
 _derivations: dict[str, Derivation] = {}
+_papers: dict[str, str] = {}
 
 
 def on_config(config: Any) -> Any:
@@ -39,7 +42,9 @@ def refresh(config: Any) -> None:
     """Read the derivations, and write their pages."""
     found = write_pages(Path(config.config_file_path).parent, Path(config.docs_dir))
     _derivations.clear()
-    _derivations.update(found)
+    _derivations.update(found.derivations)
+    _papers.clear()
+    _papers.update(found.papers)
 
 
 def is_fresh() -> bool:
@@ -50,7 +55,7 @@ def is_fresh() -> bool:
 def configure(config: Any) -> Any:
     """Tell MkDocs what the pages need."""
     config.use_directory_urls = False  # a page opened from file:// has no server to add index.html
-    config.nav = with_systems(config.nav, _derivations)
+    config.nav = with_papers(with_systems(config.nav, _derivations), _papers)
     for name, options in _EXTENSIONS.items():
         if name not in config.markdown_extensions:
             config.markdown_extensions.append(name)
@@ -71,6 +76,18 @@ def with_systems(nav: list[Any] | None, derivations: dict[str, Derivation]) -> l
     return filled if {SECTION: pages} in filled else [*filled, {SECTION: pages}]
 
 
+def with_papers(nav: list[Any] | None, papers: dict[str, str]) -> list[Any] | None:
+    """The navigation with the papers in their section; without papers there is none."""
+    if nav is None:
+        return None
+    pages = [{"Overview": f"{PAPERS}/index.md"}]
+    pages += [{short: f"{PAPERS}/{key}.md"} for key, short in papers.items()]
+    section = [{PAPER_SECTION: pages}] if papers else []
+    rest = [item for item in nav if not (isinstance(item, dict) and PAPER_SECTION in item)]
+    place = next((k for k, item in enumerate(nav) if item not in rest), len(rest))
+    return [*rest[:place], *section, *rest[place:]]
+
+
 def on_files(files: Any, **_: Any) -> Any:
     """Leave out what MkDocs would now copy as it is: the unfilled template of the site map."""
     for file in list(files):
@@ -81,7 +98,7 @@ def on_files(files: Any, **_: Any) -> Any:
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     """Replace the marks of a hand-written page."""
-    if page.file.src_uri.startswith(f"{FOLDER}/"):
+    if page.file.src_uri.startswith((f"{FOLDER}/", f"{PAPERS}/")):
         return markdown
     return fill_marks(markdown, _derivations, page.file.src_uri)
 

@@ -10,7 +10,7 @@ import sympy
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.algebra.rigid import Matrix, Pose
-from armillary.algebra.rotation import Elementary, Rotation, factors
+from armillary.algebra.rotation import Elementary, Rotation, RotationSymbol, factors
 
 # Multiples of pi with these denominators are printed as such; other angles in degrees.
 _PLAIN_PARTS = (1, 2, 3, 4, 6, 8, 12)
@@ -86,15 +86,15 @@ def full_turn_of(node: s.Select) -> s.Scalar | None:
 
 def chain_steps(pose: Pose) -> list[Elementary | v.Vector] | None:
     """The translations and rotations whose product a pose is; None when it is no such product."""
-    rest = list(factors(pose.rotation)) if _is_product(pose.rotation) else None
+    rest = _turns(pose.rotation)
     if rest is None:
         return None
     steps: list[Elementary | v.Vector] = []
     position = pose.position.nested if isinstance(pose.position, v.Choice) else pose.position
     while not v.is_null(position):
         if isinstance(position, v.Rotated):
-            turned = factors(position.rotation)
-            if len(turned) > len(rest) or not _equal(turned, rest[: len(turned)]):
+            turned = _turns(position.rotation)
+            if turned is None or len(turned) > len(rest) or not _equal(turned, rest[: len(turned)]):
                 return None
             steps += turned
             del rest[: len(turned)]
@@ -110,11 +110,11 @@ def chain_steps(pose: Pose) -> list[Elementary | v.Vector] | None:
     return [*steps, *rest]
 
 
-def _is_product(rotation: Rotation) -> bool:
-    try:
-        return bool(factors(rotation)) or True
-    except TypeError:
-        return False
+def _turns(rotation: Rotation) -> list[Elementary] | None:
+    """The elementary rotations of a product; None when something else is among them."""
+    found = factors(rotation)
+    turns = [f for f in found if isinstance(f, Elementary)]
+    return turns if len(turns) == len(found) else None
 
 
 def _is_step(node: v.Vector) -> bool:
@@ -125,6 +125,17 @@ def _is_step(node: v.Vector) -> bool:
 def _equal(some: Sequence[Elementary], others: Sequence[Elementary]) -> bool:
     pairs = zip(some, others, strict=True)
     return all(a.axis == b.axis and a.angle is b.angle for a, b in pairs)
+
+
+def entry_of(node: s.Component) -> tuple[RotationSymbol, int, int] | None:
+    """The entry of a given rotation that a component is: the rotation, row and column."""
+    inner = node.vector
+    if not (isinstance(inner, v.Rotated) and isinstance(inner.vector, v.Basis)):
+        return None
+    found = factors(inner.rotation)
+    if len(found) == 1 and isinstance(found[0], RotationSymbol):
+        return found[0], node.index, inner.vector.axis
+    return None
 
 
 def sources_of_columns(matrix: Matrix) -> list[list[v.Vector]] | None:

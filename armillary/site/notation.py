@@ -12,9 +12,10 @@ from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.algebra.rotation import RotationReference
 from armillary.derivation.naming import latex_name
-from armillary.derivation.quantity import Constant, Quantity, VectorQuantity
+from armillary.derivation.quantity import AnyQuantity, Constant, VectorQuantity
 from armillary.derivation.record import Derivation
 from armillary.derivation.statements import Definition
+from armillary.derivation.symbols import Leaf
 from armillary.site.svg import LETTERS
 
 Reference = s.ScalarReference | s.ConditionReference | v.VectorReference | RotationReference
@@ -29,7 +30,9 @@ _PARTS = {
     "force": r"\mathbf{f}_{%s}",
     "moment": r"\mathbf{m}_{%s}",
 }
-_SUBSCRIPT = re.compile(r"(?P<base>.*)_(?:\{(?P<group>(?:[^{}]|\{[^{}]*\})*)\}|(?P<one>\\?\w+))\Z")
+_SUBSCRIPT = re.compile(
+    r"(?P<base>.*)_(?:\{(?P<group>(?:[^{}]|\{[^{}]*\})*)\}|(?P<one>\\\w+\{[^{}]*\}|\\?\w+))\Z"
+)
 _WORD = re.compile(r"(?<![\\A-Za-z])[A-Za-z]{2,}(?![A-Za-z])")
 
 
@@ -50,7 +53,7 @@ class Notation:
         for definition in derivation.definitions.values():
             self.definitions[definition.identifier] = definition
 
-    def leaf(self, node: s.Symbol | v.VectorSymbol) -> str:
+    def leaf(self, node: Leaf) -> str:
         """LaTeX of a quantity."""
         return self._leaves.get(id(node)) or upright(latex_name(node.name))
 
@@ -68,7 +71,7 @@ class Notation:
         return subscripted(own, part)
 
 
-def quantity_latex(quantity: Quantity | VectorQuantity | Constant) -> str:
+def quantity_latex(quantity: AnyQuantity | Constant) -> str:
     """LaTeX of a quantity: as its author wrote it, else made of its name; vectors are bold."""
     latex = quantity.facts.latex
     if latex != latex_name(quantity.name):
@@ -131,7 +134,5 @@ def references_in(expression: object) -> Iterator[Reference]:
             stack.extend(reversed(node))
         elif isinstance(node, v.Choice):
             stack.append(node.summed)
-        elif hasattr(node, "__dataclass_fields__") and not isinstance(
-            node, (s.Symbol, v.VectorSymbol)
-        ):
+        elif hasattr(node, "__dataclass_fields__") and not isinstance(node, Leaf):
             stack.extend(reversed([getattr(node, f.name) for f in fields(node)]))  # type: ignore[arg-type]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -15,10 +15,11 @@ from armillary.site.facts import Facts
 from armillary.site.figures import picture_svg
 from armillary.site.kernels import cards
 from armillary.site.notation import Notation
-from armillary.site.plot import plot_svg
 from armillary.site.references import Reference, reference_of
 from armillary.site.steps import Claim, claim, notation_rows, steps
-from armillary.verify.curves import Plot
+from armillary.site.studies import Studied
+from armillary.site.study_page import blocks
+from armillary.site.verdicts import Prints
 
 _TEMPLATES = Path(__file__).parent / "templates"
 _WORDS = {"pass": "holds", "fail": "fails", "skip": "not checked"}
@@ -50,7 +51,8 @@ def system_page(
     derivation: Derivation,
     facts: Facts,
     references: dict[str, Reference],
-    plots: Sequence[Plot] = (),
+    study: Studied | None = None,
+    prints: Prints | None = None,
 ) -> str:
     """The page of one system.
 
@@ -59,21 +61,25 @@ def system_page(
     """
     notation = Notation(derivation)
     found = list(steps(derivation, notation))
+    drawn = figures(derivation, notation)
     key = derivation.paper
     shortened = {angle for step in found for angle in step.compact}
     known = facts.checks_of(derivation)
     checked = groups(derivation, known.rows)
-    return _render(
+    return render(
         "system.md.j2",
         name=derivation.name,
         title=derivation.title,
         summary=derivation.summary,
-        figures=[*figures(derivation, notation), *plotted(derivation, plots)],
+        figures=drawn,
+        studies=blocks(study.items, derivation.name, len(drawn)) if study else [],
+        study_missing=study.missing if study else "",
         assumptions=derivation.assumptions,
         rows=notation_rows(derivation),
         compact=next((a for s in found for a in sorted(s.compact)), "") if shortened else "",
         uses_turns=any("R_" in s.written.latex or "T_" in s.written.latex for s in found),
         steps=found,
+        prints=prints or Prints(),
         paper=reference_of(references, key, derivation.name) if key else None,
         claims=_proved(derivation, notation, checked),
         cards=cards(derivation, facts),
@@ -94,22 +100,13 @@ def figures(derivation: Derivation, notation: Notation) -> list[Figure]:
     return made
 
 
-def plotted(derivation: Derivation, plots: Sequence[Plot]) -> list[Figure]:
-    """The plots of a system."""
-    made = []
-    for k, plot in enumerate(plots, 1):
-        identifier = f"plot-{derivation.name}-{k}"
-        made.append(Figure(identifier, plot_svg(plot, identifier), plot.caption))
-    return made
-
-
 def index_page(derivations: Iterable[Derivation]) -> str:
     """The page that leads to the systems."""
     systems: list[Mapping[str, Any]] = [
         {"name": d.name, "title": d.title, "sentence": first_sentence(d.summary)}
         for d in derivations
     ]
-    return _render("index.md.j2", systems=systems)
+    return render("index.md.j2", systems=systems)
 
 
 def first_sentence(text: str) -> str:
@@ -134,7 +131,8 @@ def _has_conventions(derivation: Derivation) -> bool:
     return (project / "site_docs" / "conventions.md").is_file()
 
 
-def _render(template: str, **context: object) -> str:
+def render(template: str, **context: object) -> str:
+    """A template filled in; text is escaped."""
     environment = Environment(
         loader=FileSystemLoader(_TEMPLATES),
         autoescape=True,

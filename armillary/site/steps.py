@@ -85,7 +85,7 @@ def notation_rows(derivation: Derivation) -> list[Row]:
     borrowed = [q for q in _inputs(derivation) if all(q is not o for o in own)]
     inputs = [q for q in own if q.facts.role is not Role.PARAMETER]
     parameters = [q for q in own if q.facts.role is Role.PARAMETER]
-    rows = [_quantity_row(q) for q in (*inputs, *borrowed, *parameters)]
+    rows = [quantity_row(q) for q in (*inputs, *borrowed, *parameters)]
     return rows + [_constant_row(c) for c in derivation.constants.values()]
 
 
@@ -97,7 +97,8 @@ def _inputs(derivation: Derivation) -> list[AnyQuantity]:
     return list(found.values())
 
 
-def _quantity_row(q: AnyQuantity) -> Row:
+def quantity_row(q: AnyQuantity) -> Row:
+    """The line of one quantity."""
     facts = q.facts
     parameter = facts.role is Role.PARAMETER
     return Row(
@@ -114,6 +115,8 @@ def values_text(q: AnyQuantity) -> tuple[str, str]:
     """The working range of a quantity, and the limits beyond which it is refused."""
     if q.facts.kind is Kind.UNIT_VECTOR:
         return "length 1", "length² 1 ± 0.001"
+    if q.facts.kind is Kind.ROTATION:
+        return "rotations", f"{q.name}ᵀ{q.name} = 1 ± 0.001"
     return _interval(*q.facts.range), _interval(*q.facts.limits)
 
 

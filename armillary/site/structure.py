@@ -9,11 +9,20 @@ from typing import Any
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
-from armillary.algebra.direction import Azimuth, Elevation
+from armillary.algebra.direction import OfDirection
 from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench
-from armillary.algebra.rotation import Elementary, Rotation, RotationReference, factors
+from armillary.algebra.rotation import (
+    Elementary,
+    Factor,
+    Rotation,
+    RotationReference,
+    RotationSymbol,
+    Transposed,
+    factors,
+)
 from armillary.site.idioms import (
     chain_steps,
+    entry_of,
     full_turn_of,
     number_latex,
     same,
@@ -62,8 +71,12 @@ class Structure:
         return latex, Level.SIGNED if latex.startswith("-") else Level.ATOM
 
     @text.register
-    def _(self, node: s.Symbol | v.VectorSymbol) -> Text:
+    def _(self, node: s.Symbol | v.VectorSymbol | RotationSymbol) -> Text:
         return self.notation.leaf(node), Level.ATOM
+
+    @text.register
+    def _(self, node: Transposed) -> Text:
+        return rf"{self(node.symbol)}^\top", Level.ATOM
 
     @text.register
     def _(
@@ -138,7 +151,11 @@ class Structure:
         )
 
     @text.register
-    def _(self, node: Azimuth | Elevation) -> Text:
+    def _(self, node: s.ArcSine) -> Text:
+        return rf"\arcsin\left({self(node.argument)}\right)", Level.ATOM
+
+    @text.register
+    def _(self, node: OfDirection) -> Text:
         return self.text(node.explicit())
 
     @text.register
@@ -160,6 +177,10 @@ class Structure:
 
     @text.register
     def _(self, node: s.Component) -> Text:
+        entry = entry_of(node)
+        if entry is not None:
+            given, row, column = entry
+            return subscripted(self(given), f"{row + 1}{column + 1}"), Level.ATOM
         latex, level = self.text(node.vector)
         if level < Level.ATOM or latex.startswith(r"\begin"):
             return rf"\left({latex}\right)_{AXES[node.index]}", Level.ATOM
@@ -226,7 +247,7 @@ class Structure:
 
     @text.register
     def _(self, node: v.Rotated) -> Text:
-        if all(s.is_zero(f.angle) for f in factors(node.rotation)):
+        if not _turning(node.rotation):
             return self.text(node.vector)
         inner = node.vector
         if isinstance(inner, v.VectorNegate):
@@ -245,8 +266,7 @@ class Structure:
 
     @text.register
     def _(self, node: Rotation) -> Text:
-        turns = [f for f in factors(node) if not s.is_zero(f.angle)]
-        return r"\,".join(map(self, turns)) or "I", Level.PRODUCT
+        return r"\,".join(map(self, _turning(node))) or "I", Level.PRODUCT
 
     @text.register
     def _(self, node: Pose) -> Text:
@@ -279,6 +299,12 @@ class Structure:
         blocks = sources_of_columns(node)
         rows = blocks if blocks is not None else node.rows
         return array("bmatrix", [[self(entry) for entry in row] for row in rows]), Level.ATOM
+
+
+def _turning(rotation: Rotation) -> list[Factor]:
+    """The factors of a product that turn anything."""
+    found = factors(rotation)
+    return [f for f in found if not (isinstance(f, Elementary) and s.is_zero(f.angle))]
 
 
 def _length(text: Text) -> int:

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from html import escape
 
 Point2 = tuple[float, float]
+_TELEPHONE = 350.0  # a drawing no wider than this is shown whole on one, and its words with it
 
 LETTERS = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ",
@@ -86,6 +87,11 @@ class Drawing:
             f'r="{number(radius)}"/>'
         )
 
+    def shape(self, path: str, kind: str, corners: Iterable[Point2]) -> None:
+        """A path in SVG's own words; `corners` say how far it reaches."""
+        self._met(corners, 1)
+        self._elements.append(f'<path class="{kind}" d="{path}"/>')
+
     def text(self, at: Point2, words: str, kind: str = "", anchor: str = "middle") -> None:
         """A label."""
         width = 9.5 * len(words)
@@ -96,13 +102,16 @@ class Drawing:
             f'text-anchor="{anchor}">{escape(words)}</text>'
         )
 
-    def svg(self, identifier: str, title: str, margin: float = 8.0) -> str:
-        """The whole drawing, cut to what it needs."""
+    def svg(self, identifier: str, title: str, margin: float = 8.0, about: str = "") -> str:
+        """The whole drawing, cut to what it needs; `about` tells what it shows to who listens."""
         x, y = min(self._x) - margin, min(self._y) - margin
         width, height = max(self._x) + margin - x, max(self._y) + margin - y
+        told = f'<desc id="{identifier}-desc">{escape(about)}</desc>' if about else ""
+        labels = f"{identifier}-title {identifier}-desc" if about else f"{identifier}-title"
+        small = ' class="small"' if width <= _TELEPHONE else ""
         return (
-            f'<svg viewBox="{number(x)} {number(y)} {number(width)} {number(height)}" '
+            f'<svg{small} viewBox="{number(x)} {number(y)} {number(width)} {number(height)}" '
             f'width="{number(width)}" height="{number(height)}" role="img" '
-            f'aria-labelledby="{identifier}-title"><title id="{identifier}-title">'
-            f"{escape(title)}</title>{''.join(self._elements)}</svg>"
+            f'aria-labelledby="{labels}"><title id="{identifier}-title">'
+            f"{escape(title)}</title>{told}{''.join(self._elements)}</svg>"
         )

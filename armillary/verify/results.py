@@ -13,6 +13,7 @@ from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
+from armillary.derivation.beside import files_of
 from armillary.derivation.fingerprint import system_digest
 from armillary.derivation.load import names
 from armillary.derivation.record import Derivation
@@ -82,13 +83,15 @@ def standing(root: Path, record: Derivation, rows: Sequence[Row]) -> Standing:
 def checked_digest(root: Path, record: Derivation) -> str:
     """A hash of all that the checks of a system look at.
 
-    What it states, its simulation, its tolerances, and the files that were generated from it.
+    What it states, its simulation with the files beside that it imports, its tolerances, and the
+    files that were generated from it.
     """
     folder = root / "derivations" / record.name
     manifest = read_manifest(root / "generated")
     entry = manifest.systems.get(record.name) if manifest else None
     parts = [system_digest(record)]
-    parts += [str(digest_of(folder / name)) for name in ("simulation.py", tolerances.NAME)]
+    read = [*files_of(folder / "simulation.py"), folder / tolerances.NAME]
+    parts += [f"{path.name} {digest_of(path)}" for path in read]
     parts += [f"{name} {made}" for name, made in sorted(entry.files.items())] if entry else []
     return digest("\n".join(parts).encode())[:16]
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from typing import Any, TypeGuard
+from typing import TypeGuard
 
+from armillary.derivation import beside
 from armillary.derivation.load import load_all, names
 from armillary.derivation.record import Derivation
 from armillary.program.compile import compile_kernel
@@ -103,7 +103,7 @@ def _of_system(root: Path, package: str, record: Derivation, points: int) -> Ite
     programs = {name: compile_kernel(k).program for name, k in record.kernels.items()}
     yield from _proofs(record, programs)
     yield from duals.checks(record, programs)
-    yield from _simulation(root, package, record)
+    yield from simulation(root, package, record)
     for found, _ in _parity(root, package, record, points, programs):
         yield found
 
@@ -123,13 +123,13 @@ def _proofs(record: Derivation, programs: dict[str, Program]) -> Iterator[Found]
         yield from identities.text_book_expression(kernel, programs[name])
 
 
-def _simulation(root: Path, package: str, record: Derivation) -> Iterator[Found]:
+def simulation(root: Path, package: str, record: Derivation) -> Iterator[Found]:
     """The checks of `simulation.py`, as far as its engines are installed."""
     path = root / "derivations" / record.name / "simulation.py"
     if not path.is_file():
         return
     try:
-        module = simulation_module(path)
+        module = beside.run(path).module
         kernels = generated_module(root / "generated" / "python", package, record.name)
         yield from module.checks(kernels)
     except EngineMissing as missing:
@@ -137,16 +137,6 @@ def _simulation(root: Path, package: str, record: Derivation) -> Iterator[Found]
     except Exception as problem:  # a simulation is the author's code: report it, go on
         text = f"{type(problem).__name__}: {problem}"
         yield Measured("simulation", "simulation.py", None, 0, float("nan"), 0.0, {}, text)
-
-
-def simulation_module(path: Path) -> Any:
-    """A `simulation.py`, loaded."""
-    spec = spec_from_file_location(f"_armillary_simulation_{path.parent.name}", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
 
 
 def _parity(

@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 
 from armillary import Status
-from armillary.verify.curves import Curve, Plot
 from armillary.verify.engines import each, need
 from armillary.verify.measured import compare
 from armillary.verify.points import chosen
@@ -354,35 +353,3 @@ def almanacs_by_pvlib(kernels):
         "Spencer's equation of time as printed, in seconds", "pvlib", series.equation_of_time,
         60 * pvlib.equation_of_time_spencer71(days) + erratum, 1e-13, {"day": days}, "spencer",
     )  # fmt: skip
-
-
-def plots(kernels):
-    """The almanacs' errors through one year."""
-    spa = need("pvlib.spa")
-    day = np.arange(1.0, 366.0, 2.0)
-    start = np.datetime64("2025-01-01", "s").astype(float)
-    truth = spa.solar_position_numpy(start + 86400 * (day - 1), *SETTING, sst=True)[2]
-    unix, whole = calendar()
-    exact = spa.solar_position_numpy(unix, *SETTING, sst=True)[2]
-    almanacs, strays = [], []
-    for name, kernel in (
-        ("Cooper", kernels.cooper),
-        ("Yu's cosine", kernels.cosine),
-        ("Spencer", kernels.spencer),
-    ):
-        almanacs.append((name, kernel(day=day).declination))
-        error = np.degrees(kernel(day=whole).declination) - exact
-        worst, mean = np.max(np.abs(error)), np.sqrt(np.mean(error**2))
-        strays.append(f"{name} {worst:.2f} ({mean:.2f})")
-    yield Plot(
-        "Declination by the almanacs less that of the NREL SPA, through the year 2025. Over "
-        f"{FIRST_YEAR}-{LAST_YEAR} the largest error and, in brackets, the root mean square, in "
-        f"degrees: {', '.join(strays)}. Leap years shift the calendar under the formulas, so no "
-        "year is like another.",
-        "day of the year",
-        "error, degrees",
-        tuple(
-            Curve(name, day.tolist(), np.round(np.degrees(found) - truth, 6).tolist())
-            for name, found in almanacs
-        ),
-    )

@@ -1,5 +1,6 @@
 """The chapters, followed word for word."""
 
+import json
 import os
 import re
 import stat
@@ -71,15 +72,67 @@ def test_the_python_chapter(source, tmp_path):
     assert done.stdout
 
 
-@pytest.mark.slow
-def test_the_chapter_on_adding_a_mechanism(tmp_path):
-    command = tmp_path / "bin" / "armillary"
+def offer_armillary(folder: Path) -> None:
+    """Put this very Armillary on the path of `shell`."""
+    command = folder / "bin" / "armillary"
     command.parent.mkdir()
     command.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m armillary.cli "$@"\n', "utf-8")
     command.chmod(command.stat().st_mode | stat.S_IXUSR)
+
+
+@pytest.mark.slow
+def test_the_chapter_on_adding_a_mechanism(tmp_path):
+    offer_armillary(tmp_path)
     for commands in blocks("adding-a-mechanism.md", "sh"):
         shell(commands, tmp_path, PYTHONPATH=str(ROOT))
     page = (tmp_path / "site" / "systems" / "demo.html").read_text("utf-8")
     assert 'id="kernel-demo-pose"' in page
     assert "run <code>armillary" not in page  # generated, checked, and shown
     assert 'class="badge fail"' not in page
+    (study,) = (b for b in blocks("adding-a-mechanism.md", "python") if "def study(" in b)
+    (tmp_path / "derivations" / "demo" / "study.py").write_text(study, "utf-8")
+    told = shell("armillary study demo; armillary site build", tmp_path, PYTHONPATH=str(ROOT))
+    assert "From 2.021 m to 2.300 m" in told
+    page = (tmp_path / "site" / "systems" / "demo.html").read_text("utf-8")
+    assert 'id="study-demo-how-high-does-it-reach"' in page
+
+
+@pytest.mark.slow
+def test_the_chapter_on_the_audit(tmp_path):
+    offer_armillary(tmp_path)
+    begin, audit, site = blocks("auditing.md", "sh")
+    (reference,), (paper,) = blocks("auditing.md", "toml"), blocks("auditing.md", "python")
+    shell(begin, tmp_path, PYTHONPATH=str(ROOT))
+    papers = tmp_path / "derivations" / "papers"
+    (papers / "references.toml").write_text(reference, "utf-8")
+    (papers / "smith.py").write_text(paper, "utf-8")
+    told = shell(audit, tmp_path, PYTHONPATH=str(ROOT))
+    assert "1 hold, 1 misprint, 1 sign\n" in told
+    assert "It holds with cos for sin of tilt" in told
+    assert "difference" in told
+    shell(site, tmp_path, PYTHONPATH=str(ROOT))
+    page = (tmp_path / "site" / "papers" / "smith.html").read_text("utf-8")
+    assert page.count("badge verdict misprint") >= 3  # in the count, in the table, at the print
+    step = (tmp_path / "site" / "systems" / "demo.html").read_text("utf-8")
+    assert "../papers/smith.html#print-2" in step
+    (data,) = blocks("auditing.md", "json")
+    kept = json.loads((tmp_path / "build" / "audit.json").read_text("utf-8"))
+    assert_same_form(json.loads(data), kept)
+
+
+def assert_same_form(shown: object, found: object) -> None:
+    """What a chapter shows has keys and values that are there; it may leave out others."""
+    if isinstance(shown, dict):
+        assert isinstance(found, dict)
+        for key, inner in shown.items():
+            if inner != "…":
+                assert_same_form(inner, found[key])
+    elif isinstance(shown, list):
+        assert isinstance(found, list)
+        for inner in shown:
+            keys = [
+                one for one in found if not isinstance(inner, dict) or one["key"] == inner["key"]
+            ]
+            assert_same_form(inner, keys[0])
+    else:
+        assert shown == found

@@ -10,9 +10,7 @@ from armillary import Chain, Derivation, X, Y, Z
 from armillary.derivation.statements import Picture
 from armillary.site.figures import Posed, picture_svg
 from armillary.site.notation import Notation
-from armillary.site.plot import plot_svg, ticks
 from armillary.site.svg import number, plain
-from armillary.verify.curves import Curve, Plot
 
 
 def demo():
@@ -51,15 +49,6 @@ def test_a_chain_of_rotations_is_drawn_on_the_sky():
     svg = picture_svg(picture, Notation(d), "fig")
     assert 'class="curve-2"' in svg  # the way of a day
     assert "ω" in svg
-
-
-def test_plots():
-    curves = Curve("one", [0, 1, 2], [-1, 0, 1]), Curve("two", [0, 1, 2], [1, 0, -1])
-    svg = plot_svg(Plot("Two lines", "day", "error", curves), "plot")
-    ET.fromstring(svg)
-    assert svg.count('class="curve-') == 4
-    assert ticks(-1.0, 1.0) == [-1, -0.5, 0, 0.5, 1]
-    assert ticks(0.0, 365.0)[0] == 0
 
 
 def test_small_text():

@@ -9,9 +9,11 @@ from armillary import (
     X,
     Y,
     Z,
+    arcsin,
     atan2,
     cos,
     degrees,
+    elementary,
     full_turn,
     hypot,
     number,
@@ -24,6 +26,7 @@ from armillary import (
 from armillary.site.explicit import LONGEST_ENTRY, visible_length, written_out
 from armillary.site.idioms import number_latex
 from armillary.site.notation import Notation, definition_latex, subscripted
+from armillary.site.steps import values_text
 from armillary.site.structure import Structure
 
 
@@ -56,6 +59,7 @@ def test_scalars_read_as_on_paper(d):
         (x / y) / y: r"\frac{x}{{y}^2}",
         2 * PI * x / 365: r"\frac{2\,\pi\,x}{365}",
         sin(x + y): r"\sin \left(x + y\right)",
+        arcsin(x / y): r"\arcsin\left(\frac{x}{y}\right)",
         wrap(x): r"\operatorname{wrap}\left(x\right)",
         full_turn(x): r"x \bmod 2 \pi",
         where(
@@ -75,6 +79,27 @@ def test_vectors_read_as_on_paper(d):
     assert latex(d, unit(a)) == r"\frac{\mathbf{a}}{\left\lVert \mathbf{a} \right\rVert}"
     assert latex(d, vector(0, 0, 1)) == r"\mathbf{e}_z"
     assert latex(d, a.x) == r"\mathbf{a}_{x}"
+
+
+def test_rotations_read_as_on_paper(d):
+    R, v, t = d.rotation("R", "."), d.vector("v", "."), d.angle("t", ".")
+    R_1 = d.rotation("R_1", ".")
+    cases = {
+        R @ v: r"R\,\mathbf{v}",
+        R.transpose() @ elementary(Z, t) @ v: r"R^\top\,R_z\left(t\right)\,\mathbf{v}",
+        R.column(Z): r"R\,\mathbf{e}_z",
+        R.entry(X, Z) + R_1.entry(Z, Y): r"R_{13} + R_{1,32}",
+        R @ R_1.transpose(): r"R\,R_{1}^\top",
+    }
+    for expression, wanted in cases.items():
+        assert latex(d, expression) == wanted
+    turned = d.define("w", R.transpose() @ v, because=".")
+    (definition,) = [x for x in d.definitions.values() if x.value is turned]
+    body = written_out(Notation(d), definition).formula.latex
+    assert r"R_{11}\,\mathbf{v}_x" in body or r"R_{11}\,\mathbf{v}_{x}" in body
+    d.define("r", hypot(R.entry(X, Z), R.entry(Y, Z)), because=".")
+    assert written_out(Notation(d), d.definitions["r"]) is None
+    assert [values_text(R)] == [("rotations", "RᵀR = 1 ± 0.001")]
 
 
 def test_numbers_print_as_they_were_written():
@@ -102,6 +127,7 @@ def test_what_a_name_stands_for_is_not_opened(d):
 def test_subscripts_join():
     assert subscripted("L_0", "x") == "L_{0,x}"
     assert subscripted(r"\mathbf{c}_{12}", "x") == r"\mathbf{c}_{12,x}"
+    assert subscripted(r"\mathbf{u}_\mathrm{r}", "x") == r"\mathbf{u}_{\mathrm{r},x}"
     assert subscripted(r"\dot{\mathbf{c}}", "x") == r"\dot{\mathbf{c}}_{x}"
 
 

@@ -1,0 +1,123 @@
+"""What a study says: headings, prose, tables and plots, in the order of the page.
+
+`study.py` beside a derivation has a function `study(kernels)` that yields these: the questions of
+the paper, answered with the kernels. Random numbers come from a generator that it seeds itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from numbers import Integral
+
+from armillary.verify import plots
+from armillary.verify.plot_values import PlotError, keep, values
+
+Cell = float | int | str | None
+
+
+@dataclass(frozen=True)
+class Heading:
+    """Begins a part of the study; the page gives it an address."""
+
+    title: str
+
+
+@dataclass(frozen=True)
+class Prose:
+    """A paragraph in Markdown, with formulas between dollars and numbers already filled in."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column of a table.
+
+    Attributes:
+        format: how its numbers are written, as Python's format(); whole numbers stay whole.
+    """
+
+    name: str
+    unit: str = ""
+    format: str = ".3g"
+
+    def __post_init__(self) -> None:
+        try:
+            format(1.5, self.format)
+        except ValueError:
+            raise PlotError(
+                f"the column {self.name!r} has the format {self.format!r}",
+                'give one of Python\'s formats for numbers, such as ".3g" or ".2f"',
+            ) from None
+
+
+@dataclass(frozen=True)
+class Table:
+    """Numbers and words in rows; None and NaN mean that there is no value.
+
+    Attributes:
+        caption: what the table shows, in a sentence; formulas between dollars.
+        columns: a name alone stands for a column without a unit.
+    """
+
+    caption: str
+    columns: Sequence[Column | str]
+    rows: Sequence[Sequence[Cell]]
+
+    def __post_init__(self) -> None:
+        keep(self, "columns", tuple(_column(c) for c in self.columns))
+        keep(self, "rows", tuple(tuple(_cell(c, self.caption) for c in row) for row in self.rows))
+        if not self.rows or not self.columns:
+            raise PlotError("a table of nothing", "give at least one row, or leave it out")
+        for row in self.rows:
+            if len(row) != len(self.columns):
+                raise PlotError(
+                    f"a row of {len(row)} cells in a table of {len(self.columns)} columns",
+                    "give a cell for each column; None where there is no value",
+                )
+
+    @property
+    def heads(self) -> list[Column]:
+        """The columns."""
+        return [_column(c) for c in self.columns]
+
+    def texts(self) -> list[list[str]]:
+        """The cells as they are printed."""
+        return [
+            [text_of(c, head.format) for c, head in zip(row, self.heads, strict=True)]
+            for row in self.rows
+        ]
+
+    def is_number(self, column: int) -> bool:
+        """Whether a column holds numbers only."""
+        return not any(isinstance(row[column], str) for row in self.rows)
+
+
+Item = Heading | Prose | Table | plots.AnyPlot
+
+
+def text_of(cell: Cell, form: str) -> str:
+    """A cell as it is printed, with a true minus sign and powers of ten."""
+    if cell is None:
+        return "–"
+    if isinstance(cell, str):
+        return cell
+    text = str(cell) if isinstance(cell, int) else format(cell, form)
+    head, mark, power = text.partition("e")
+    raised = "10" + str(int(power)).translate(plots.RAISED) if mark else ""
+    return head.replace("-", "−") + ("·" if mark else "") + raised
+
+
+def _column(given: Column | str) -> Column:
+    return Column(given) if isinstance(given, str) else given
+
+
+def _cell(given: object, caption: str) -> Cell:
+    if isinstance(given, str):
+        return given
+    if isinstance(given, bool):
+        return "yes" if given else "no"
+    if isinstance(given, Integral):
+        return int(given)
+    return values([given], f"the table {caption!r}")[0]
