@@ -59,6 +59,7 @@ def main(debug: bool) -> None:
       armillary new my_tracker    a mechanism that already works
       armillary generate          derivations/ -> generated/
       armillary check             kernels against independent engines
+      armillary audit             printed equations against the derivations
       armillary site serve        the pages, rebuilt while you edit
     """
 
@@ -206,6 +207,52 @@ def check(systems: tuple[str, ...], update_tolerances: bool, verbose: bool) -> N
 
     if not run(_project(), systems, update_tolerances, _say, verbose):
         raise SystemExit(1)
+
+
+@main.command()
+@click.argument("papers", nargs=-1)
+@click.option("-v", "--verbose", is_flag=True, help="Every reading, entry and counterexample.")
+@click.option("--json", "as_json", is_flag=True, help="Print the findings as JSON, and no table.")
+def audit(papers: tuple[str, ...], verbose: bool, as_json: bool) -> None:
+    """Compare what PAPERS print, or all, with what is derived.
+
+    derivations/papers/KEY.py holds what the paper KEY prints, as it stands there. Each row tells
+    the verdict on one equation or sentence, the largest error over the working ranges, and the
+    smallest repair that makes it hold. The findings go to build/audit.json, for the pages; a wrong
+    equation of a paper is a finding and no error, so the exit status stays 0.
+
+    \b
+    Examples:
+      armillary audit
+      armillary audit -v ky
+      armillary audit --json ky > findings.json
+    """
+    from armillary.project.audit import NONE, table
+    from armillary.project.audit import audit as run
+    from armillary.verify.audit.kept import as_json as printed
+
+    done = run(_project(), papers, lambda line: click.echo(line, err=True))
+    if as_json:
+        click.echo(printed({name: found for name, (_, found) in done.items()}), nl=False)
+        return
+    for paper, found in done.values():
+        for line in table(paper, found, verbose):
+            _say(line)
+    if not done:
+        _say(NONE)
+
+
+@main.command()
+@click.argument("system")
+def study(system: str) -> None:
+    """Print what the study of a SYSTEM found: its tables, and the captions of its plots.
+
+    derivations/SYSTEM/study.py is run again only when it, the derivation or the kernels changed.
+    """
+    from armillary.project.study import study as run
+
+    for line in run(_project(), system, lambda line: click.echo(line, err=True)):
+        _say(line)
 
 
 @main.group()

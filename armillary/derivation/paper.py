@@ -1,0 +1,264 @@
+"""What a paper prints: its numbered equations as they stand there, and the claims of its text.
+
+`derivations/papers/KEY.py` makes one `Paper`. It says what is printed and which definition is
+claimed, never whether that is right: the audit computes the verdict.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from armillary.algebra import scalar as s
+from armillary.algebra import vector as v
+from armillary.algebra.rigid import Matrix
+from armillary.algebra.rotation import Rotation
+from armillary.derivation.checking import check_expression, check_symbols
+from armillary.derivation.entries import shape_of
+from armillary.derivation.errors import DerivationError, Source, caller
+from armillary.derivation.quantity import Quantity
+from armillary.derivation.record import Derivation
+from armillary.derivation.statements import Block
+from armillary.mechanism.chain import Chain
+
+PROPERTIES = ("singular", "orthogonal", "symmetric", "skew-symmetric", "diagonal")
+
+
+@dataclass(frozen=True, eq=False)
+class Reading:
+    """One way to read a print; `name` is empty where there is only one."""
+
+    name: str
+    printed: Block
+
+
+@dataclass(frozen=True, eq=False)
+class Equation:
+    """A printed equation, or a sentence that states one.
+
+    Attributes:
+        key: its number, made unique ("11", "11'"), or a word for a sentence.
+        words: what it is, in a few words.
+        quote: the sentence as printed; empty for a numbered equation.
+        claims: what is derived: the definition that the print claims to equal.
+        readings: the print, entry by entry; several where a glyph is doubtful or lost.
+        small: quantities the paper takes as small; it may hold to an order in them.
+        product: the printed product of joints whose result this claims to be.
+        frames: rotations by which a vector may have been left in another frame.
+        given: where the print says that it holds; None is everywhere.
+    """
+
+    key: str
+    words: str
+    quote: str
+    claims: Block
+    readings: tuple[Reading, ...]
+    small: tuple[Quantity, ...]
+    product: Chain | None
+    frames: tuple[tuple[str, Rotation], ...]
+    given: s.Condition | None
+    source: Source
+
+
+@dataclass(frozen=True, eq=False)
+class Word:
+    """A sentence that gives matrices a property by a word."""
+
+    key: str
+    quote: str
+    word: str
+    of: tuple[tuple[str, Matrix], ...]
+    source: Source
+
+
+@dataclass(frozen=True, eq=False)
+class Negligible:
+    """A sentence that calls one small quantity negligible, others of its size not.
+
+    Attributes:
+        of: the vector or scalar that is said not to feel `small`.
+        beside: the quantities of the same size that the paper says must be kept.
+    """
+
+    key: str
+    quote: str
+    of: s.Scalar | v.Vector
+    small: Quantity
+    beside: tuple[Quantity, ...]
+    source: Source
+
+
+@dataclass(frozen=True, eq=False)
+class Needed:
+    """A sentence that says small quantities must be taken into account.
+
+    Attributes:
+        of: the vector or scalar that is said to feel them.
+    """
+
+    key: str
+    quote: str
+    of: s.Scalar | v.Vector
+    small: tuple[Quantity, ...]
+    source: Source
+
+
+@dataclass(frozen=True, eq=False)
+class Between:
+    """A sentence that says a value lies between two others, everywhere it is used."""
+
+    key: str
+    quote: str
+    value: s.Scalar
+    low: s.Scalar
+    high: s.Scalar
+    source: Source
+
+
+@dataclass(frozen=True, eq=False)
+class Spans:
+    """A sentence that calls three turns a combination of orientation angles."""
+
+    key: str
+    quote: str
+    turns: Rotation
+    angles: tuple[Quantity, ...]
+    source: Source
+
+
+@dataclass(frozen=True, eq=False)
+class Unchecked:
+    """A printed equation that states nothing a number could refute."""
+
+    key: str
+    words: str
+    reason: str
+    source: Source
+
+
+Printed = Equation | Word | Negligible | Needed | Between | Spans | Unchecked
+
+
+class Paper(Derivation):
+    """One paper: symbols of its own, and what it prints, in the order printed.
+
+    Its symbols are declared and its shorthands defined as in any derivation. `use` gives the
+    systems whose definitions it claims.
+
+    Args:
+        key: name of the file and of the table in `references.toml`.
+    """
+
+    def __init__(self, key: str, *, title: str = "") -> None:
+        super().__init__(key, title=title or key, paper=key)
+        self.printed: dict[str, Printed] = {}
+
+    def equation(
+        self,
+        key: str,
+        *,
+        claims: Block,
+        printed: Block | Mapping[str, Block],
+        words: str,
+        quote: str = "",
+        small: Sequence[Quantity] = (),
+        product: Chain | None = None,
+        frames: Mapping[str, Rotation] | None = None,
+        given: s.Condition | None = None,
+    ) -> None:
+        """A numbered equation; with `quote`, a sentence that states one.
+
+        Args:
+            claims: the definition it claims to equal, from a system that is used.
+            printed: what stands there; a mapping from how it is read, where that is doubtful.
+        """
+        source = caller()
+        readings = printed if isinstance(printed, Mapping) else {"": printed}
+        self._check(key, claims, source)
+        for block in readings.values():
+            self._check(key, block, source)
+            _check_shape(key, claims, block, source)
+        made = tuple(Reading(name, block) for name, block in readings.items())
+        turned = tuple((frames or {}).items())
+        self._state(
+            Equation(
+                key, words, quote, claims, made, tuple(small), product, turned, given, source
+            )
+        )  # fmt: skip
+
+    def word(self, key: str, quote: str, word: str, of: Mapping[str, Matrix]) -> None:
+        """A sentence that says matrices have a property: one of `PROPERTIES`."""
+        source = caller()
+        if word not in PROPERTIES:
+            raise DerivationError(
+                f"{word!r} is no property of a matrix", f"say {', '.join(PROPERTIES)}", source
+            )
+        for matrix in of.values():
+            self._check(key, matrix, source)
+        self._state(Word(key, quote, word, tuple(of.items()), source))
+
+    def negligible(
+        self,
+        key: str,
+        quote: str,
+        small: Quantity,
+        *,
+        of: s.Scalar | v.Vector,
+        beside: Sequence[Quantity],
+    ) -> None:
+        """A sentence that calls `small` negligible beside others of its size."""
+        source = caller()
+        self._check(key, of, source)
+        self._state(Negligible(key, quote, of, small, tuple(beside), source))
+
+    def needed(
+        self, key: str, quote: str, small: Sequence[Quantity], *, of: s.Scalar | v.Vector
+    ) -> None:
+        """A sentence that says `small` must be taken into account."""
+        source = caller()
+        self._check(key, of, source)
+        self._state(Needed(key, quote, of, tuple(small), source))
+
+    def between(
+        self, key: str, quote: str, value: s.Scalar, low: s.ScalarLike, high: s.ScalarLike
+    ) -> None:
+        """A sentence that bounds a value."""
+        source = caller()
+        self._check(key, value, source)
+        self._state(Between(key, quote, value, s.as_scalar(low), s.as_scalar(high), source))
+
+    def spans(self, key: str, quote: str, turns: Rotation, angles: Sequence[Quantity]) -> None:
+        """A sentence that says three turns reach every orientation."""
+        source = caller()
+        self._check(key, turns, source)
+        self._state(Spans(key, quote, turns, tuple(angles), source))
+
+    def unchecked(self, key: str, words: str, reason: str) -> None:
+        """A numbered equation that only names things; `reason` says why none can refute it."""
+        self._state(Unchecked(key, words, reason.strip(), caller()))
+
+    def _check(self, key: str, block: Block, source: Source) -> None:
+        check_expression(f"equation ({key})", block, source)
+        check_symbols(self, f"equation ({key})", block, source)
+
+    def _state(self, made: Printed) -> None:
+        if made.key in self.printed:
+            raise DerivationError(
+                f"two prints of {self.name} have the key {made.key!r}",
+                "number the second one with a dash: 11'",
+                made.source,
+            )
+        self.printed[made.key] = made
+
+
+def _check_shape(key: str, claims: Block, printed: Block, source: Source) -> None:
+    """A print has as many entries as what it claims to equal."""
+    rows, columns = shape_of(printed)
+    wanted_rows, wanted_columns = shape_of(claims)
+    if (rows, columns) != (wanted_rows, wanted_columns):
+        raise DerivationError(
+            f"equation ({key}) prints {rows} by {columns} entries, "
+            f"but what it claims has {wanted_rows} by {wanted_columns}",
+            "claim the part that is printed: a rotation, a position, a component",
+            source,
+        )

@@ -1,0 +1,64 @@
+"""What prints state, as formulas: their entries, and the sentences of the text."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import singledispatch
+
+from armillary.algebra import scalar as s
+from armillary.algebra import vector as v
+from armillary.algebra.rigid import Matrix
+from armillary.derivation.paper import Between, Needed, Negligible, Spans, Word
+from armillary.derivation.statements import Block
+from armillary.site.notation import quantity_latex
+from armillary.site.structure import Structure
+
+
+def entries_of(block: Block) -> list[list[s.Scalar]] | None:
+    """The entries of a print that shows each of them; None where it is written as a whole."""
+    if isinstance(block, Matrix):
+        return [list(row) for row in block.rows]
+    if isinstance(block, v.Components):
+        return [[component] for component in block.components]
+    return None
+
+
+@singledispatch
+def claim_latex(printed: object, structure: Structure) -> Iterator[str]:
+    """What a sentence states, as formulas; none where words say it all."""
+    yield from ()
+
+
+@claim_latex.register
+def _(printed: Word, structure: Structure) -> Iterator[str]:
+    for name, matrix in printed.of:
+        left = rf"\text{{{name}}} = " if re.fullmatch(r"[\w ()'.,-]+", name) else f"{name} = "
+        yield left + structure(matrix)
+
+
+@claim_latex.register
+def _(printed: Negligible, structure: Structure) -> Iterator[str]:
+    small = quantity_latex(printed.small)
+    beside = r",\; ".join(map(quantity_latex, printed.beside))
+    yield rf"{structure(printed.of)}\Big|_{{{small} = 0}} \approx {structure(printed.of)}" + (
+        rf"\quad\text{{while }} {beside} \text{{ must be kept}}" if beside else ""
+    )
+
+
+@claim_latex.register
+def _(printed: Needed, structure: Structure) -> Iterator[str]:
+    for small in map(quantity_latex, printed.small):
+        of = structure(printed.of)
+        yield rf"{of}\Big|_{{{small} = 0}} \not\approx {of}"
+
+
+@claim_latex.register
+def _(printed: Between, structure: Structure) -> Iterator[str]:
+    low, value, high = map(structure, (printed.low, printed.value, printed.high))
+    yield rf"{low} \le {value} \le {high}"
+
+
+@claim_latex.register
+def _(printed: Spans, structure: Structure) -> Iterator[str]:
+    yield structure(printed.turns)

@@ -1,0 +1,346 @@
+"""Copies of a printed expression that differ from it in one place, as misprints would have it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import singledispatchmethod
+from typing import Any
+
+from armillary.algebra import scalar as s
+from armillary.algebra import vector as v
+from armillary.algebra.rotation import Composed, Elementary, Rotation, RotationReference, factors
+from armillary.verify.audit.plain import plain
+from armillary.verify.audit.pool import Pool, is_name
+
+# What a reader would think of first.
+RANKS = {
+    "sign": 0,
+    "function": 1,
+    "index": 2,
+    "lost dot": 3,
+    "dot too many": 3,
+    "axis": 2,
+    "order of factors": 4,
+    "transposition": 4,
+    "term": 5,
+    "factor": 6,
+}
+FAR = 7  # another symbol altogether
+
+
+@dataclass(frozen=True)
+class Change:
+    """One copy of an expression.
+
+    Attributes:
+        words: the change from the print to the copy: "cos for sin of omega".
+        rank: how far-fetched it is; see `RANKS`.
+        node: the copy.
+    """
+
+    kind: str
+    words: str
+    rank: int
+    node: Any
+
+
+Rebuild = Callable[[Any], Any]
+
+
+class Changes:
+    """Enumerates the changes of expressions, with the symbols of one pool."""
+
+    def __init__(self, pool: Pool) -> None:
+        self.pool = pool
+
+    def whole(self, node: Any) -> list[Change]:
+        """All single changes of an entry or block, the likely ones first."""
+        if isinstance(node, s.Scalar):
+            made = list(self.sum(node, top=True))
+        elif isinstance(node, v.Vector):
+            made = list(self.vector_sum(node, top=True))
+        else:
+            made = list(self.inside(node))
+        return sorted(made, key=lambda change: change.rank)
+
+    # -- sums ---------------------------------------------------------------------------------
+
+    def sum(self, node: s.Scalar, top: bool = False) -> Iterator[Change]:
+        """Changes of the terms; `top` also turns the sign of a lone term, and of the whole."""
+        terms = terms_of(node)
+        if len(terms) > 1 and top:
+            yield _change("sign", "the other sign of the whole", s.negate(node))
+        for k, (negative, term) in enumerate(terms):
+
+            def put(new: s.Scalar, k: int = k, negative: bool = negative) -> s.Scalar:
+                return _summed([*terms[:k], (negative, new), *terms[k + 1 :]])
+
+            if len(terms) > 1 or top:
+                flipped = _summed([*terms[:k], (not negative, term), *terms[k + 1 :]])
+                yield _change("sign", f"{_sign(not negative)} for {_sign(negative)} before "
+                              f"{plain(term)}", flipped)  # fmt: skip
+            if len(terms) > 1:
+                without = _summed([*terms[:k], *terms[k + 1 :]])
+                yield _change("term", f"without the term {plain(term)}", without)
+            if len(terms) > 1 or top:
+                yield _change("factor", f"twice {plain(term)}", put(s.multiply(s.number(2), term)))
+            yield from _carried(self.product(term), put)
+
+    def product(self, node: s.Scalar) -> Iterator[Change]:
+        """Changes of the factors of a term."""
+        if not isinstance(node, s.Multiply):
+            yield from self.inside(node)
+            return
+        parts = factors_of(node)
+        for k, part in enumerate(parts):
+
+            def put(new: s.Scalar, k: int = k) -> s.Scalar:
+                return _multiplied([*parts[:k], new, *parts[k + 1 :]])
+
+            without = _multiplied([*parts[:k], *parts[k + 1 :]])
+            yield _change("factor", f"without the factor {plain(part)}", without)
+            if not isinstance(part, s.Number):
+                twice = put(s.multiply(part, part))
+                yield _change("factor", f"the square of {plain(part)}", twice)
+            yield from _carried(self.inside(part), put)
+
+    # -- single nodes -------------------------------------------------------------------------
+
+    def name(self, node: Any) -> Iterator[Change]:
+        """Other symbols in place of one."""
+        for other in self.pool.instead(node):
+            rank = RANKS[other.kind] if other.near else FAR
+            yield Change(other.kind, f"{plain(other.node)} for {plain(node)}", rank, other.node)
+
+    @singledispatchmethod
+    def inside(self, node: Any) -> Iterator[Change]:
+        """Changes of one node that is neither a sum nor a product."""
+        if is_name(node):
+            yield from self.name(node)
+
+    @inside.register
+    def _(self, node: s.Add | s.Multiply | s.Negate) -> Iterator[Change]:
+        yield from self.sum(node)
+
+    @inside.register
+    def _(self, node: s.Divide) -> Iterator[Change]:
+        top, below = node.numerator, node.denominator
+        yield _change("factor", f"without the divisor {plain(below)}", top)
+        yield _change("factor", f"times {plain(below)} for divided by it", s.multiply(top, below))
+        yield from _carried(self.inside(top), lambda new: s.divide(new, below))
+        yield from _carried(self.inside(below), lambda new: s.divide(top, new))
+
+    @inside.register
+    def _(self, node: s.SquareRoot) -> Iterator[Change]:
+        yield _change("function", "without the root", node.argument)
+        yield from _carried(self.inside(node.argument), s.SquareRoot)
+
+    @inside.register
+    def _(self, node: s.Sine) -> Iterator[Change]:
+        inner = node.argument
+        yield _change("function", f"cos for sin of {plain(inner)}", s.Cosine(inner))
+        yield from _carried(self.inside(inner), s.Sine)
+
+    @inside.register
+    def _(self, node: s.Cosine) -> Iterator[Change]:
+        inner = node.argument
+        yield _change("function", f"sin for cos of {plain(inner)}", s.Sine(inner))
+        yield from _carried(self.inside(inner), s.Cosine)
+
+    @inside.register
+    def _(self, node: s.ArcTangent) -> Iterator[Change]:
+        y, x = node.y, node.x
+        yield _change("function", "the arguments of atan2 exchanged", s.ArcTangent(x, y))
+        yield from _carried(self.sum(y, top=True), lambda new: s.ArcTangent(new, x))
+        yield from _carried(self.sum(x, top=True), lambda new: s.ArcTangent(y, new))
+
+    @inside.register
+    def _(self, node: s.ArcSine) -> Iterator[Change]:
+        yield from _carried(self.sum(node.argument, top=True), s.ArcSine)
+
+    @inside.register
+    def _(self, node: s.Absolute) -> Iterator[Change]:
+        yield _change("function", "without the absolute value", node.argument)
+        yield from _carried(self.inside(node.argument), s.Absolute)
+
+    @inside.register
+    def _(self, node: s.Select) -> Iterator[Change]:
+        c, then, otherwise = node.condition, node.then, node.otherwise
+        yield _change("function", "the two cases exchanged", s.Select(c, otherwise, then))
+        yield from _carried(self.sum(then, top=True), lambda new: s.Select(c, new, otherwise))
+        yield from _carried(self.sum(otherwise, top=True), lambda new: s.Select(c, then, new))
+
+    @inside.register
+    def _(self, node: s.Component) -> Iterator[Change]:
+        if is_name(node.vector):
+            yield from self.name(node)
+        else:
+            for index in range(3):
+                if index != node.index:
+                    other = v.component(node.vector, index)
+                    yield _change("index", f"{plain(other)} for {plain(node)}", other)
+            yield from _carried(
+                self.vector_sum(node.vector, top=True), lambda new: v.component(new, node.index)
+            )
+
+    @inside.register
+    def _(self, node: s.Dot) -> Iterator[Change]:
+        left, right = node.left, node.right
+        yield from _carried(self.inside(left), lambda new: v.dot(new, right))
+        yield from _carried(self.inside(right), lambda new: v.dot(left, new))
+
+    # -- vectors ------------------------------------------------------------------------------
+
+    def vector_sum(self, node: v.Vector, top: bool = False) -> Iterator[Change]:
+        """Changes of a vector's terms, as of a scalar's."""
+        terms = _vector_terms(node)
+        for k, (negative, term) in enumerate(terms):
+
+            def put(new: v.Vector, k: int = k, negative: bool = negative) -> v.Vector:
+                return _vectors_summed([*terms[:k], (negative, new), *terms[k + 1 :]])
+
+            if len(terms) > 1 or top:
+                flipped = _vectors_summed([*terms[:k], (not negative, term), *terms[k + 1 :]])
+                yield _change("sign", f"{_sign(not negative)} for {_sign(negative)} before "
+                              f"{plain(term)}", flipped)  # fmt: skip
+            if len(terms) > 1:
+                without = _vectors_summed([*terms[:k], *terms[k + 1 :]])
+                yield _change("term", f"without the term {plain(term)}", without)
+            yield from _carried(self.inside(term), put)
+
+    @inside.register
+    def _(self, node: v.VectorSum | v.VectorNegate) -> Iterator[Change]:
+        yield from self.vector_sum(node)
+
+    @inside.register
+    def _(self, node: v.Components) -> Iterator[Change]:
+        parts = node.components
+        for k in range(3):
+            for change in self.sum(parts[k], top=True):
+                x, y, z = (change.node if i == k else parts[i] for i in range(3))
+                yield Change(change.kind, change.words, change.rank, v.Components((x, y, z)))
+
+    @inside.register
+    def _(self, node: v.Scaled) -> Iterator[Change]:
+        factor, vector = node.factor, node.vector
+        yield _change("factor", f"without the factor {plain(factor)}", vector)
+        yield from _carried(self.inside(factor), lambda new: v.scale(new, vector))
+        yield from _carried(self.inside(vector), lambda new: v.scale(factor, new))
+
+    @inside.register
+    def _(self, node: v.Cross) -> Iterator[Change]:
+        left, right = node.left, node.right
+        yield from _carried(self.inside(left), lambda new: v.cross(new, right))
+        yield from _carried(self.inside(right), lambda new: v.cross(left, new))
+
+    @inside.register
+    def _(self, node: v.Unit) -> Iterator[Change]:
+        yield _change("function", "without the division by the length", node.vector)
+        yield from _carried(self.inside(node.vector), v.Unit)
+
+    @inside.register
+    def _(self, node: v.Rotated) -> Iterator[Change]:
+        rotation, vector = node.rotation, node.vector
+        yield from _carried(self.inside(rotation), lambda new: v.Rotated(new, vector))
+        yield from _carried(self.inside(vector), lambda new: v.Rotated(rotation, new))
+
+    # -- rotations ----------------------------------------------------------------------------
+
+    @inside.register
+    def _(self, node: Rotation) -> Iterator[Change]:
+        parts = factors(node)
+        if len(parts) > 1 or isinstance(node, RotationReference):
+            yield _change("transposition", f"the transpose of {plain(node)}", node.transpose())
+        if isinstance(node, RotationReference):
+            return
+        for k, part in enumerate(parts):
+
+            def put(new: Any, k: int = k) -> Rotation:
+                return Composed((*parts[:k], *factors(new), *parts[k + 1 :]))
+
+            if isinstance(part, Elementary):
+                yield from _carried(self.turn(part), put)
+            if k + 1 < len(parts):
+                swapped = (*parts[:k], parts[k + 1], part, *parts[k + 2 :])
+                words = f"{plain(parts[k + 1])} before {plain(part)}"
+                yield _change("order of factors", words, Composed(swapped))
+
+    def turn(self, part: Elementary) -> Iterator[Change]:
+        """Changes of one elementary rotation."""
+        yield _change(
+            "sign",
+            f"{plain(part)} turning the other way",
+            Elementary(part.axis, s.negate(part.angle)),
+        )
+        for axis in range(3):
+            if axis != part.axis:
+                words = f"axis {v.AXIS_NAMES[axis]} for {v.AXIS_NAMES[part.axis]} of {plain(part)}"
+                yield _change("axis", words, Elementary(axis, part.angle))
+        yield from _carried(self.inside(part.angle), lambda new: Elementary(part.axis, new))
+
+
+def terms_of(node: s.Scalar) -> list[tuple[bool, s.Scalar]]:
+    """The terms of a sum, and whether each is subtracted; brackets stay terms."""
+    if isinstance(node, s.Add):
+        return terms_of(node.left) + terms_of(node.right)
+    if isinstance(node, s.Negate):
+        return [(True, node.argument)]
+    parts = factors_of(node)
+    minus = [part for part in parts if isinstance(part, s.Negate)]
+    if not minus:
+        return [(False, node)]
+    # -a b is written as (-a) b: the sign is the term's.
+    bare = [part.argument if isinstance(part, s.Negate) else part for part in parts]
+    return [(len(minus) % 2 == 1, _multiplied(bare))]
+
+
+def factors_of(node: s.Scalar) -> list[s.Scalar]:
+    """The factors of a product, from left to right."""
+    if isinstance(node, s.Multiply):
+        return factors_of(node.left) + factors_of(node.right)
+    return [node]
+
+
+def _vector_terms(node: v.Vector) -> list[tuple[bool, v.Vector]]:
+    if isinstance(node, v.VectorSum):
+        return _vector_terms(node.left) + _vector_terms(node.right)
+    return [(True, node.argument)] if isinstance(node, v.VectorNegate) else [(False, node)]
+
+
+def _summed(terms: list[tuple[bool, s.Scalar]]) -> s.Scalar:
+    total: s.Scalar = s.ZERO
+    for negative, term in terms:
+        total = s.add(total, s.negate(term) if negative else term)
+    return total
+
+
+def _vectors_summed(terms: list[tuple[bool, v.Vector]]) -> v.Vector:
+    total: v.Vector = v.NULL
+    for negative, term in terms:
+        total = v.add_vectors(total, v.negate_vector(term) if negative else term)
+    return total
+
+
+def _multiplied(parts: list[s.Scalar]) -> s.Scalar:
+    product: s.Scalar = s.ONE
+    for part in parts:
+        product = s.multiply(product, part)
+    return product
+
+
+def _sign(negative: bool) -> str:
+    return "minus" if negative else "plus"
+
+
+def _change(kind: str, words: str, node: Any) -> Change:
+    return Change(kind, words, RANKS[kind], node)
+
+
+def _carried(changes: Iterator[Change], rebuild: Rebuild) -> Iterator[Change]:
+    """Changes of a part, as changes of what it is part of."""
+    for change in changes:
+        try:
+            yield Change(change.kind, change.words, change.rank, rebuild(change.node))
+        except ZeroDivisionError:
+            continue  # the part was a divisor, and the copy is 0

@@ -1,0 +1,233 @@
+"""Points at which a print is compared: spread over the working ranges, and a few round ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from armillary.algebra import scalar as s
+from armillary.derivation.quantity import (
+    AnyQuantity,
+    Constant,
+    Kind,
+    Quantity,
+    RotationQuantity,
+    VectorQuantity,
+)
+from armillary.derivation.symbols import leaves
+from armillary.derivation.units import RADIAN
+from armillary.verify.audit.numeric import Digits, Doubles, Leaf, Values
+from armillary.verify.points import random_points
+
+Array = NDArray[np.float64]
+Sample = dict[Leaf, Array]
+
+_DEGREES = (30, 45, 60, 20, 10, 75, -30, -60, 120, 150)
+_PLAIN = (1.0, 0.5, 2.0, 0.2, 0.1, -1.0, 10.0)
+_SMALL = (0.01, 0.02, 0.005, -0.01, 0.001)
+# Directions with short decimals, none of them on an axis or in a plane of two.
+_DIRECTIONS = (
+    (0.48, 0.6, 0.64),
+    (-0.36, 0.48, 0.8),
+    (0.48, -0.36, 0.8),
+    (0.64, 0.48, 0.6),
+    (-0.48, -0.64, 0.6),
+)
+_ROTATIONS = (
+    np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0.0], [0.48, 0.64, 0.6]]),
+    np.array([[0.64, -0.48, 0.6], [0.6, 0.8, 0.0], [-0.48, 0.36, 0.8]]),
+    np.array([[0.8, 0.0, 0.6], [0.36, 0.8, -0.48], [-0.48, 0.6, 0.64]]),
+)
+_TRIED = 3000  # points drawn where a condition narrows the range
+
+
+def quantities(*expressions: object) -> list[AnyQuantity]:
+    """The quantities that expressions stand on, constants apart."""
+    kinds = (Quantity, VectorQuantity, RotationQuantity)
+    found = [q for q in leaves(expressions) if not isinstance(q, Constant)]
+    return [q for q in found if isinstance(q, kinds)]
+
+
+def sample(known: Sequence[AnyQuantity], n: int, seed: int) -> Sample:
+    """`n` random points of the working ranges; two quantities of one name get streams apart."""
+    made: Sample = {}
+    names: dict[str, int] = {}
+    for q in known:
+        met = names[q.name] = names.get(q.name, -1) + 1
+        made[q] = random_points([q], n, seed + 1000 * met)[q.name]
+    return made
+
+
+def awkward(known: Sequence[AnyQuantity], seed: int, of: Sequence[AnyQuantity]) -> Sample:
+    """One scalar at a time, of some, at 0, a quarter or half turn, or an end of its range."""
+    rows = [(q, x) for q in of if isinstance(q, Quantity) for x in _awkward(q)]
+    made = sample(known, len(rows), seed)
+    for k, (q, x) in enumerate(rows):
+        made[q][k] = x
+    return made
+
+
+def joined(first: Sample, second: Sample) -> Sample:
+    """The points of both."""
+    return {q: np.concatenate([first[q], second[q]]) for q in first}
+
+
+def where(points: Sample, given: s.Condition | None) -> Sample:
+    """The points at which a condition holds."""
+    if given is None:
+        return points
+    with np.errstate(all="ignore"):
+        held = np.asarray(Values(Doubles(), points)(given), dtype=bool)
+    count = Values(Doubles(), points).count
+    mask = np.broadcast_to(held, (count,))
+    return {q: array[mask] for q, array in points.items()}
+
+
+def usual(
+    known: Sequence[AnyQuantity],
+    of: Sequence[AnyQuantity],
+    n: int,
+    seed: int,
+    given: s.Condition | None,
+) -> Sample:
+    """`n` random points at which the condition holds, and points awkward for the quantities `of`.
+
+    Of these, too, those at which it holds.
+    """
+    if given is None:
+        return joined(sample(known, n, seed), awkward(known, seed + 1, of))
+    drawn = first(where(sample(known, _TRIED, seed), given), n)
+    return joined(drawn, where(awkward(known, seed + 1, of), given))
+
+
+def first(points: Sample, n: int) -> Sample:
+    """The first `n` points."""
+    return {q: array[:n] for q, array in points.items()}
+
+
+def exact(points: Sample, digits: Digits) -> dict[Leaf, Any]:
+    """The same points with 50 digits; directions are brought to norm 1 again, to all of them."""
+    made: dict[Leaf, Any] = {}
+    for q, array in points.items():
+        made[q] = digits.array(array)
+        if isinstance(q, RotationQuantity):
+            x = _normalised(made[q][:, :, 0], digits)
+            inside = made[q][:, :, 1] - (x * made[q][:, :, 1]).sum(axis=1, keepdims=True) * x
+            y = _normalised(inside, digits)
+            z = x[:, [1, 2, 0]] * y[:, [2, 0, 1]] - x[:, [2, 0, 1]] * y[:, [1, 2, 0]]
+            made[q] = np.stack([x, y, z], axis=2)
+        elif isinstance(q, VectorQuantity) and q.unit_norm:
+            made[q] = _normalised(made[q], digits)
+    return made
+
+
+def _normalised(vectors: Any, digits: Digits) -> Any:
+    return vectors / digits.sqrt((vectors * vectors).sum(axis=1, keepdims=True))
+
+
+def with_small(
+    points: Mapping[Leaf, Any], small: Sequence[Quantity], scale: Any
+) -> dict[Leaf, Any]:
+    """The same points with the small quantities scaled down."""
+    return {q: array * scale if q in small else array for q, array in points.items()}
+
+
+def with_value(points: Sample, q: Leaf, value: float) -> Sample:
+    """The same points with one quantity held."""
+    return points | {q: np.full_like(points[q], value)}
+
+
+@dataclass(frozen=True)
+class Round:
+    """A point with round inputs."""
+
+    values: Mapping[Leaf, Any]
+
+    def told(self) -> dict[str, float | list[float]]:
+        """By name: numbers, lists of three, and rotations as lists of nine."""
+        made: dict[str, float | list[float]] = {}
+        for q, value in self.values.items():
+            array = np.asarray(value)
+            made[q.name] = float(array) if array.ndim == 0 else array.ravel().tolist()
+        return made
+
+
+def round_points(
+    known: Sequence[AnyQuantity], small: Sequence[Quantity], n: int = 60
+) -> list[Round]:
+    """Points made of round values, the plainest first."""
+    stream = np.random.default_rng(7)
+    made: list[Round] = []
+    for k in range(n):
+        values: dict[Leaf, Any] = {}
+        for i, q in enumerate(known):
+            choices = _round(q, small)
+            pick = i + k if k < 3 else int(stream.integers(len(choices)))
+            values[q] = choices[pick % len(choices)]
+        made.append(Round(values))
+    return made
+
+
+def stacked(points: Sequence[Round], known: Sequence[AnyQuantity]) -> Sample:
+    """Round points as arrays."""
+    return {q: np.array([p.values[q] for p in points], dtype=float) for q in known}
+
+
+def worst_round(
+    known: Sequence[AnyQuantity],
+    small: Sequence[Quantity],
+    given: s.Condition | None,
+    error: Callable[[Sample], Array],
+) -> Round | None:
+    """The plainest round point whose error is at least half of the largest among them."""
+    points = round_points(known, small)
+    points = [p for p in points if _holds(p, known, given)]
+    if not points:
+        return None
+    errors = np.nan_to_num(np.abs(error(stacked(points, known))), nan=-1.0, posinf=-1.0)
+    largest = float(errors.max())
+    return points[int(np.argmax(errors >= largest / 2))] if largest > 0 else None
+
+
+def is_angle(q: Leaf) -> bool:
+    """Whether a quantity is an angle in radians."""
+    unit = getattr(q, "unit", None)
+    return isinstance(q, Quantity) and unit is not None and unit.agrees(RADIAN) and unit.angle == 1
+
+
+def _holds(point: Round, known: Sequence[AnyQuantity], given: s.Condition | None) -> bool:
+    return given is None or bool(_count(where(stacked([point], known), given)))
+
+
+def _count(points: Sample) -> int:
+    return min((len(a) for a in points.values()), default=1)
+
+
+def _awkward(q: Quantity) -> list[float]:
+    low, high = q.facts.range
+    quarter = float(np.pi / 2)
+    wanted = (0.0, *((quarter, -quarter, 2 * quarter, -2 * quarter) if is_angle(q) else ()))
+    return [x for x in dict.fromkeys((*wanted, low, high)) if low <= x <= high]
+
+
+def _round(q: AnyQuantity, small: Sequence[Quantity]) -> list[Any]:
+    """Round values inside the range of one quantity."""
+    if isinstance(q, RotationQuantity):
+        return list(_ROTATIONS)
+    if isinstance(q, VectorQuantity):
+        scale = 1.0 if q.facts.kind is Kind.UNIT_VECTOR else min(1.0, q.facts.range[1])
+        return [tuple(scale * x for x in d) for d in _DIRECTIONS]
+    low, high = q.facts.range
+    wide = (high - low) / 2
+    if q in small or (is_angle(q) and wide <= 0.35):
+        choices = list(_SMALL)
+    elif is_angle(q):
+        choices = [float(np.radians(d)) for d in _DEGREES]
+    else:
+        choices = list(_PLAIN)
+    inside = [x for x in choices if low <= x <= high]
+    return inside or [float(f"{low + part * (high - low):.2g}") for part in (0.5, 0.25, 0.75)]

@@ -1,0 +1,187 @@
+"""The verdict on one reading of a printed equation."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from armillary.derivation.paper import Equation, Paper
+from armillary.derivation.statements import Block
+from armillary.verify.audit import points as p
+from armillary.verify.audit.changes import Changes
+from armillary.verify.audit.claims import instead
+from armillary.verify.audit.compare import Bench
+from armillary.verify.audit.numeric import Doubles, Values
+from armillary.verify.audit.order import mixed_order
+from armillary.verify.audit.pool import Pool
+from armillary.verify.audit.properties import not_orthonormal
+from armillary.verify.audit.repairs import entry_repair
+from armillary.verify.audit.sides import Place, Sides, sides_of
+from armillary.verify.audit.special import special_repair
+from armillary.verify.audit.verdict import Counterexample, Entry, Read, Repair, Verdict
+from armillary.verify.audit.wholes import is_written_out, whole_repair
+
+Latex = Callable[[Any], str]
+ORDERED = list(Verdict)
+# A print that holds for another thing of these kinds was no slip of the pen.
+_FAR = ("frame", "definition", "special value", "order of factors")
+_UNDEFINED = 0.05
+
+
+@dataclass(frozen=True, eq=False)
+class Explained:
+    """How the bad entries of a print are explained."""
+
+    whole: Repair | None
+    verdict: Verdict
+    repairs: dict[Place, Repair]
+
+
+def read(equation: Equation, name: str, printed: Block, paper: Paper, latex: Latex | None) -> Read:
+    """Compare one reading with what it claims, and look for the smallest repair."""
+    pool = Pool((printed, equation.claims), paper)
+    extra = [*pool.scalars, *pool.vectors, *instead(equation, paper)]
+    bench = Bench((printed, equation.claims), equation.small, equation.given, extra)
+    sides = sides_of(bench, printed, equation.claims)
+    explained = _explained(sides, equation, paper, printed, Changes(pool), latex)
+    entries = tuple(_entry(sides, place, explained) for place in sides.places)
+    verdict, order = _overall(entries, explained)
+    failing = verdict is not Verdict.HOLDS
+    return Read(
+        reading=name,
+        verdict=verdict,
+        order=order,
+        whole=explained.whole if explained else None,
+        entries=entries,
+        properties=_properties(sides, order) if failing else (),
+        counterexample=_counterexample(sides, entries) if failing else None,
+        worst=max((e.worst for e in entries if np.isfinite(e.worst)), default=0.0),
+    )
+
+
+def _explained(
+    sides: Sides,
+    equation: Equation,
+    paper: Paper,
+    printed: Block,
+    changes: Changes,
+    latex: Latex | None,
+) -> Explained | None:
+    bad = sides.bad
+    if not bad:
+        return None
+    one = sides.shape == (1, 1)
+    whole = None if one else whole_repair(sides, equation, paper, printed, changes)
+    repairs: dict[Place, Repair] = {}
+    if (whole is None or whole[0].size >= len(bad)) and is_written_out(printed):
+        repairs = _entry_repairs(sides, changes, latex)
+    if len(repairs) == len(bad) and (
+        whole is None or whole[0].size >= sum(r.size for r in repairs.values())
+    ):
+        return Explained(None, worst_of(map(verdict_of, repairs.values())), repairs)
+    if one:
+        whole = whole_repair(sides, equation, paper, printed, changes)
+    if whole is not None:
+        repair, block = whole
+        if block is not None and latex is not None:
+            repair = replace(repair, latex=latex(block))
+        return Explained(repair, verdict_of(repair), {})
+    special = special_repair(sides)
+    return Explained(special, Verdict.WRONG, repairs)
+
+
+def _entry_repairs(sides: Sides, changes: Changes, latex: Latex | None) -> dict[Place, Repair]:
+    found = {}
+    failed = 0
+    for place in sides.bad:
+        printed, derived = sides.pair(place)
+        # Where several entries have no small repair, the others are searched less deeply.
+        repair = entry_repair(sides.bench, printed, derived, changes, latex, deep=failed < 2)
+        if repair is None:
+            failed += 1
+        else:
+            found[place] = repair
+    return found
+
+
+def verdict_of(repair: Repair) -> Verdict:
+    """What a print is that one repair mends."""
+    if repair.elsewhere and repair.kind in _FAR:
+        return Verdict.WRONG
+    return Verdict.SIGN if repair.kind == "sign" else Verdict.MISPRINT
+
+
+def worst_of(verdicts: Iterable[Verdict]) -> Verdict:
+    """The worst; a misprint is worse than a sign, for a reader must look harder to mend it."""
+    return max(verdicts, key=ORDERED.index)
+
+
+def _entry(sides: Sides, place: Place, explained: Explained | None) -> Entry:
+    outcome = sides.outcomes[place]
+    row, column = place[0] + 1, place[1] + 1
+    if outcome.exact:
+        return Entry(row, column, Verdict.HOLDS)
+    worst = sides.bench.worst(*sides.pair(place))
+    if outcome.holds:
+        return Entry(row, column, Verdict.ORDER, outcome.order, worst=worst)
+    assert explained is not None
+    repair = explained.repairs.get(place)
+    if repair is not None:
+        return Entry(row, column, verdict_of(repair), outcome.order, repair, worst)
+    verdict = explained.verdict if explained.whole is not None else Verdict.WRONG
+    return Entry(row, column, verdict, outcome.order, worst=worst)
+
+
+def _overall(entries: Sequence[Entry], explained: Explained | None) -> tuple[Verdict, int | None]:
+    if explained is not None:
+        bad = [e for e in entries if e.verdict not in (Verdict.HOLDS, Verdict.ORDER)]
+        orders = [e.order for e in bad if e.order is not None]
+        return explained.verdict, min(orders, default=None)
+    orders = [e.order for e in entries if e.order is not None]
+    if not orders:
+        return Verdict.HOLDS, None
+    return Verdict.ORDER, min(orders)
+
+
+def _properties(sides: Sides, order: int | None) -> tuple[str, ...]:
+    told = [not_orthonormal(sides)]
+    if order is not None and order >= 0:
+        told.append(mixed_order(sides, order))
+    for place in sides.bad:
+        part = sides.bench.undefined(*sides.pair(place))
+        if part > _UNDEFINED:
+            told.append(f"undefined on {part:.0%} of the working ranges")
+            break
+    return tuple(t for t in told if t)
+
+
+def _counterexample(sides: Sides, entries: Sequence[Entry]) -> Counterexample | None:
+    """Of the entry that errs most against its size, at round inputs."""
+    failing = [e for e in entries if e.verdict is not Verdict.HOLDS]
+    worst = max(failing, key=lambda e: _against_size(sides, e))
+    printed, derived = sides.pair((worst.row - 1, worst.column - 1))
+    bench = sides.bench
+    spare = [q for q in bench.everything if q not in bench.known]
+
+    def values_at(points: p.Sample) -> Values:
+        count = next((len(a) for a in points.values()), 1)
+        return Values(Doubles(), points | p.sample(spare, count, 0))
+
+    def error(points: p.Sample) -> Any:
+        return bench.difference(values_at(points), printed, derived)
+
+    where = p.worst_round(bench.known, bench.small, bench.given, error)
+    if where is None:
+        return None
+    values = values_at(p.stacked([where], bench.known))
+    wanted = float(values.array(derived)[0])
+    found = wanted + float(bench.difference(values, printed, derived)[0])
+    return Counterexample(where.told(), found, wanted)
+
+
+def _against_size(sides: Sides, entry: Entry) -> float:
+    scale = sides.bench.scale(sides.derived[entry.row - 1][entry.column - 1])
+    return entry.worst / scale if np.isfinite(entry.worst) else 0.0

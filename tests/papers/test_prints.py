@@ -1,0 +1,244 @@
+"""The prints of this project's papers: all of them are there, and what the audit finds in them."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from armillary.derivation.paper import Equation, Unchecked
+from armillary.derivation.papers import load_papers
+from armillary.verify.audit.audit import audit
+from armillary.verify.audit.verdict import Verdict
+
+ROOT = Path(__file__).parents[2] / "derivations"
+
+# The numbers in the order printed; a number that stands twice, or over two lines, comes twice.
+NUMBERS = {
+    "ky": [
+        "01", "02", "03", "04", "05", "06", "07", "08", "09", "09'", "10", "11", "11'", "12", "13",
+        "14", "15", "16", "17", "18", "19", "20", "21", "22",
+    ],
+    "musabekov2018": [
+        "1", "2", "3", "4", "5", "5'", "6", "7", "8", "9", "10", "11", "11'", "12", "13", "14",
+        "15", "16", "17", "18", "19", "20",
+    ],
+}  # fmt: skip
+NAMES_ONLY = {"ky": {"04", "07"}, "musabekov2018": {"1", "2", "4"}}
+
+
+@pytest.fixture(scope="module")
+def papers():
+    return load_papers(ROOT)
+
+
+@pytest.fixture(scope="module")
+def found(papers):
+    return {name: {f.key: f for f in audit(paper)} for name, paper in papers.items()}
+
+
+@pytest.mark.parametrize("name", NUMBERS)
+def test_every_numbered_equation_is_printed_in_its_place(papers, name):
+    keys = list(papers[name].printed)
+    assert [key for key in keys if key in NUMBERS[name]] == NUMBERS[name]
+    others = {key for key in keys if re.fullmatch(r"\d+'*", key)} - set(NUMBERS[name])
+    # A second reading of a table or the other half of a double equation is an entry of its own.
+    assert all(key.endswith("'") and key.rstrip("'") in NUMBERS[name] for key in others)
+
+
+@pytest.mark.parametrize("name", NUMBERS)
+def test_only_what_names_things_goes_unchecked(papers, found, name):
+    unchecked = {k for k, made in papers[name].printed.items() if isinstance(made, Unchecked)}
+    assert unchecked == NAMES_ONLY[name]
+    assert {k for k, f in found[name].items() if f.verdict is Verdict.NOT_CHECKABLE} == unchecked
+    assert all(found[name][key].says for key in unchecked)
+
+
+@pytest.mark.parametrize("name", NUMBERS)
+def test_a_print_stands_beside_something_else(papers, name):
+    """A claim and its print are two expressions: a print may not be the definition itself."""
+    for key, made in papers[name].printed.items():
+        if isinstance(made, Equation):
+            assert all(made.claims is not r.printed for r in made.readings), key
+
+
+def test_what_fails_has_a_number_that_shows_it(found):
+    for findings in found.values():
+        for key, f in findings.items():
+            if f.verdict in (Verdict.HOLDS, Verdict.NOT_CHECKABLE):
+                continue
+            failing = [r for r in f.readings if r.verdict is not Verdict.HOLDS]
+            shown = [r.counterexample for r in failing if r.counterexample is not None]
+            assert shown or re.search(r"\d", f.says), key
+            assert all(abs(c.error) > 0 for c in shown), key
+
+
+# -- what the audit must find by itself ------------------------------------------------------
+
+
+def verdicts(finding):
+    return {r.reading: r.verdict for r in finding.readings}
+
+
+def repairs(finding):
+    """All repairs of a finding: those of the whole and those of entries."""
+    return [
+        r for read in finding.readings for r in (read.whole, *(e.repair for e in read.entries)) if r
+    ]
+
+
+def test_a_matrix_that_is_not_orthonormal(found):
+    for key in ("8", "9"):
+        finding = found["musabekov2018"][key]
+        assert finding.verdict is Verdict.WRONG
+        (read,) = finding.readings
+        assert any("not orthonormal" in told for told in read.properties)
+        assert 0.2 < read.worst < 0.3  # sin(0.3), the end of the range of chi
+        wrong = {(e.row, e.column) for e in read.entries if e.verdict is Verdict.WRONG}
+        mirrored = {(j, i) for i, j in wrong}
+        assert {(1, 1), (1, 2), (3, 1), (3, 2)} in (wrong, mirrored)
+
+
+@pytest.mark.parametrize("key", ["11", "11'"])
+def test_a_formula_that_is_true_at_noon_only(found, key):
+    finding = found["ky"][key]
+    assert finding.verdict is Verdict.WRONG
+    (repair,) = repairs(finding)
+    assert repair.kind == "special value"
+    assert "hour_angle = 0" in repair.words
+    assert finding.readings[0].worst > 1.5
+
+
+def test_a_translation_column_that_belongs_to_another_product(found):
+    finding = found["ky"]["15"]
+    assert finding.verdict is Verdict.WRONG
+    (repair,) = repairs(finding)
+    assert repair.kind == "order of factors"
+    assert "translation column" in repair.words
+    assert "L_1" in repair.words
+    assert "upsilon" in repair.words
+    bad = {(e.row, e.column) for e in finding.readings[0].entries if e.verdict is not Verdict.HOLDS}
+    assert bad == {(1, 4), (2, 4), (3, 4)}
+
+
+@pytest.mark.parametrize("key", ["16", "19"])
+def test_angular_velocities_in_another_frame_with_another_sign(found, key):
+    finding = found["ky"][key]
+    assert finding.verdict is Verdict.WRONG
+    (repair,) = repairs(finding)
+    assert repair.kind == "frame"
+    assert "minus" in repair.words
+    assert "Omega_body" in repair.words
+
+
+def test_an_angular_velocity_with_a_sign_and_perhaps_a_dot(found):
+    finding = found["ky"]["22"]
+    assert verdicts(finding) == {"with a dot": Verdict.SIGN, "without": Verdict.MISPRINT}
+    assert any("lost dot" in r.kind and "sign" in r.kind for r in repairs(finding))
+
+
+def test_a_sine_for_a_cosine(found):
+    finding = found["ky"]["12"]
+    assert finding.verdict is Verdict.MISPRINT
+    (repair,) = repairs(finding)
+    assert repair.kind == "function"
+    assert repair.words == "sin for cos of hour_angle"
+
+
+def test_a_word_for_another_word(found):
+    finding = found["musabekov2018"]["singular"]
+    assert finding.verdict in (Verdict.WRONG, Verdict.MISPRINT)
+    assert "orthogonal" in finding.says
+    assert "determinant" in finding.says
+
+
+def test_a_dot_that_stands_on_one_of_two_factors(found):
+    assert verdicts(found["ky"]["09"]) == {
+        "dot on Rot": Verdict.SIGN,
+        "dot on Rot^T": Verdict.HOLDS,
+    }
+    assert verdicts(found["ky"]["09'"]) == {
+        "dot on the last T": Verdict.HOLDS,
+        "dot on the first T": Verdict.WRONG,
+    }
+
+
+def test_conclusions_that_fail(found):
+    chi = found["musabekov2018"]["chi"]
+    assert chi.verdict is Verdict.WRONG
+    assert "1 times" in chi.says  # as large as the effects that must be taken into account
+    assert found["musabekov2018"]["theta and psi"].verdict is Verdict.HOLDS
+    assert found["musabekov2018"]["all stars"].verdict is Verdict.WRONG
+    assert found["ky"]["two rotations"].verdict is Verdict.WRONG
+    assert found["ky"]["declination speed"].verdict is Verdict.WRONG
+
+
+def test_a_neighbouring_index(found):
+    for key, reading in {"13": "n_zeta first, psi", "16": "n_xi * theta"}.items():
+        finding = found["musabekov2018"][key]
+        assert verdicts(finding)[reading] is Verdict.MISPRINT
+        made = [r for r in repairs(finding) if r.kind == "index"]
+        assert made
+        assert all("n_xi" in r.words and "n_zeta" in r.words and r.order == 1 for r in made)
+
+
+def test_orders_in_the_small_angles(found):
+    prints = found["musabekov2018"]
+    assert prints["6"].label == prints["7"].label == "holds to order 1"
+    assert any("mixed order" in told for told in prints["6"].readings[0].properties)
+    assert prints["7'"].verdict is Verdict.MISPRINT
+    assert prints["7'"].readings[0].whole.kind == "transposition"
+
+
+def test_an_arc_sine_that_knows_half_the_circle(found):
+    finding = found["musabekov2018"]["20"]
+    assert found["musabekov2018"]["19"].verdict is Verdict.HOLDS
+    assert finding.verdict is Verdict.WRONG
+    (repair,) = repairs(finding)
+    assert "chi = 0" in repair.words
+    assert "cosine" in repair.words
+    assert finding.readings[0].worst > 3
+
+
+def test_names_against_products(found):
+    assert found["ky"]["ZYX"].verdict is Verdict.HOLDS
+    assert "axis y for x" in repairs(found["ky"]["ZYZ"])[0].words
+    assert found["ky"]["T&T"].verdict is Verdict.WRONG
+    assert found["ky"]["ZXX"].verdict is not Verdict.HOLDS
+    assert found["ky"]["3 angles BRYANT"].verdict is Verdict.HOLDS
+    lebian = found["ky"]["3 angles LEBIAN"]
+    assert lebian.verdict is Verdict.WRONG
+    assert "rank 2" in lebian.says
+
+
+HOLD = {
+    "ky": ["02", "03", "05", "06", "08", "10", "13", "14", "17", "18", "20", "21", "antisymmetric"],
+    "musabekov2018": ["3", "5", "5'", "10", "12", "12'", "15", "18'", "19", "clockwise"],
+}
+
+
+@pytest.mark.parametrize("name", HOLD)
+def test_what_is_right_is_called_right(found, name):
+    assert {key: found[name][key].label for key in HOLD[name]} == dict.fromkeys(HOLD[name], "holds")
+
+
+@pytest.mark.parametrize("name", NUMBERS)
+def test_the_whole_list_of_findings(found, name, golden):
+    golden(f"{name}.txt", "".join(f"{line}\n" for f in found[name].values() for line in told(f)))
+
+
+def told(finding):
+    """Verdicts of readings and entries and the repairs: what a changed print would change."""
+    yield f"({finding.key}) {finding.label}"
+    if finding.quote and not any(read.entries for read in finding.readings):
+        yield f"  {finding.says}"
+    for read in finding.readings:
+        entries = " ".join(short(e) for e in read.entries)
+        yield f"  {read.reading or 'as printed'}: {read.verdict}, {read.worst:.2g} off: {entries}"
+        for repair in (read.whole, *(e.repair for e in read.entries)):
+            if repair:
+                yield f"    {repair.kind}: {repair.words}"
+
+
+def short(entry):
+    letter = {"holds": "=", "holds to order": "o", "sign": "-", "misprint": "m"}
+    return letter.get(entry.verdict, "x") + ("" if entry.order is None else str(entry.order))
