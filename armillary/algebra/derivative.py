@@ -13,10 +13,27 @@ from typing import overload
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
-from armillary.algebra.direction import Azimuth, Elevation, horizontal_length, is_unit
-from armillary.algebra.rotation import Rotation, factors, rotate
+from armillary.algebra.direction import (
+    Azimuth,
+    AzimuthCosine,
+    AzimuthSine,
+    Elevation,
+    ElevationTangent,
+)
+from armillary.algebra.rotation import (
+    Elementary,
+    Factor,
+    Rotation,
+    RotationSymbol,
+    Transposed,
+    factors,
+    rotate,
+)
+from armillary.algebra.turning import Turning, azimuth_rate, elevation_rate, turning
 
-Seed = Callable[[s.Symbol | v.VectorSymbol], "s.Scalar | v.Vector"]
+Leaf = s.Symbol | v.VectorSymbol | RotationSymbol
+# How fast a symbol moves: a rotation by its angular velocity in the outer frame.
+Seed = Callable[[Leaf], "s.Scalar | v.Vector"]
 
 
 class Differentiator:
@@ -26,6 +43,7 @@ class Differentiator:
         self.seed = seed
         self._scalars: dict[s.Scalar, s.Scalar] = {}
         self._vectors: dict[v.Vector, v.Vector] = {}
+        self._turnings: dict[v.Vector, Turning] = {}
 
     def scalar(self, node: s.Scalar) -> s.Scalar:
         if node not in self._scalars:
@@ -37,17 +55,31 @@ class Differentiator:
             self._vectors[node] = _vector(node, self)
         return self._vectors[node]
 
+    def turning(self, node: v.Vector) -> Turning:
+        """How the direction of a vector moves."""
+        if node not in self._turnings:
+            self._turnings[node] = turning(node, self)
+        return self._turnings[node]
+
     def angular_velocity(self, rotation: Rotation) -> v.Vector:
         """The vector w with d(R x) = w cross (R x) + R dx, in the outer frame."""
         total: v.Vector = v.NULL
         for factor in reversed(factors(rotation)):
-            spin = v.scale(self.scalar(factor.angle), v.Basis(factor.axis))
             # An axis is left alone by its own rotation, so it may be added before or after it.
-            total = v.add_vectors(spin, rotate(factor, total))
+            total = v.add_vectors(self.spin(factor), rotate(factor, total))
         return total
 
+    def spin(self, factor: Factor) -> v.Vector:
+        """The angular velocity of one factor of a product, in the frame outside it."""
+        if isinstance(factor, Elementary):
+            return v.scale(self.scalar(factor.angle), v.Basis(factor.axis))
+        symbol = factor.symbol if isinstance(factor, Transposed) else factor
+        moved = self.seed(symbol)
+        assert isinstance(moved, v.Vector)
+        return v.negate_vector(rotate(factor, moved)) if factor is not symbol else moved
 
-def of_time(leaf: s.Symbol | v.VectorSymbol) -> s.Scalar | v.Vector:
+
+def of_time(leaf: Leaf) -> s.Scalar | v.Vector:
     """The seed of time derivatives: each symbol says how fast it moves."""
     return leaf.velocity()
 
@@ -78,8 +110,8 @@ def _derivative(node: s.Scalar | v.Vector, seed: Seed) -> s.Scalar | v.Vector:
 def partial_seed(symbol: s.Symbol) -> Seed:
     """The seed of partial derivatives: one symbol moves, all others are held."""
 
-    def seed(leaf: s.Symbol | v.VectorSymbol) -> s.Scalar | v.Vector:
-        if isinstance(leaf, v.VectorSymbol):
+    def seed(leaf: Leaf) -> s.Scalar | v.Vector:
+        if not isinstance(leaf, s.Symbol):
             return v.NULL
         return s.ONE if leaf is symbol else s.ZERO
 
@@ -156,21 +188,35 @@ def _(node: s.ArcTangent, d: Differentiator) -> s.Scalar:
 
 
 @_scalar.register
+def _(node: s.ArcSine, d: Differentiator) -> s.Scalar:
+    return s.divide(d.scalar(node.argument), node.cosine())
+
+
+@_scalar.register
 def _(node: Azimuth, d: Differentiator) -> s.Scalar:
-    u = node.vector
-    du = d.vector(u)
-    turn = s.add(s.multiply(u.y, du.x), s.negate(s.multiply(u.x, du.y)))
-    # The square of one reciprocal: 1/rho serves the elevation too.
-    inverse = s.divide(s.ONE, horizontal_length(u))
-    return s.multiply(turn, s.multiply(inverse, inverse))
+    return azimuth_rate(node.vector, d.turning(node.vector))
 
 
 @_scalar.register
 def _(node: Elevation, d: Differentiator) -> s.Scalar:
-    if is_unit(node.vector):
-        rise = d.vector(node.vector).z
-        return s.multiply(rise, s.divide(s.ONE, horizontal_length(node.vector)))
-    return d.scalar(node.explicit())
+    return elevation_rate(node.vector, d.turning(node.vector))
+
+
+@_scalar.register
+def _(node: AzimuthSine, d: Differentiator) -> s.Scalar:
+    return s.multiply(AzimuthCosine(node.vector), d.scalar(Azimuth(node.vector)))
+
+
+@_scalar.register
+def _(node: AzimuthCosine, d: Differentiator) -> s.Scalar:
+    return s.negate(s.multiply(AzimuthSine(node.vector), d.scalar(Azimuth(node.vector))))
+
+
+@_scalar.register
+def _(node: ElevationTangent, d: Differentiator) -> s.Scalar:
+    # 1 + tan^2: the tangent itself is used again.
+    growth = s.add(s.ONE, s.multiply(node, node))
+    return s.multiply(growth, d.scalar(Elevation(node.vector)))
 
 
 @_scalar.register
@@ -262,8 +308,11 @@ def _(node: v.Unit, d: Differentiator) -> v.Vector:
 def _(node: v.Rotated, d: Differentiator) -> v.Vector:
     value, change = node.vector, d.vector(node.vector)
     for factor in reversed(factors(node.rotation)):
-        speed = d.scalar(factor.angle)
-        turning = v.scale(speed, v.cross(v.Basis(factor.axis), rotate(factor, value)))
+        if isinstance(factor, Elementary):
+            speed = d.scalar(factor.angle)
+            turning = v.scale(speed, v.cross(v.Basis(factor.axis), rotate(factor, value)))
+        else:
+            turning = v.cross(d.spin(factor), rotate(factor, value))
         value, change = rotate(factor, value), v.add_vectors(turning, rotate(factor, change))
     return change
 

@@ -1,36 +1,71 @@
 """Direction angles of a vector, as nodes with a derivative rule of their own.
 
 Through atan2 and hypot, the chain rule would differentiate the length of the vector and divide by
-it again; for a unit vector that length is 1 and cannot change, so the rule is shorter:
-with rho the horizontal length, d(azimuth) = (y dx - x dy) / rho^2 and d(elevation) = dz / rho.
+it again. But a direction has no length, and a rotation turns it without knowing one: with sine and
+cosine of the azimuth and the tangent of the elevation, the angles of a vector that turns with the
+angular velocity w change by t (w_x sin + w_y cos) - w_z and by w_x cos - w_y sin. The rules are in
+`derivative`; the nodes, which depend on nothing but the direction, are here.
 """
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
+from armillary.algebra.rotation import keeps_norms
 
 
 @dataclass(frozen=True, eq=False)
-class Azimuth(s.Scalar):
-    """Angle from the y axis towards the x axis: from north, clockwise, in east-north-up axes."""
+class OfDirection(s.Scalar, ABC):
+    """A scalar that is the same for every positive multiple of the vector."""
 
     vector: v.Vector
+
+    @abstractmethod
+    def explicit(self) -> s.Scalar:
+        """The same by the vector's components."""
+
+
+@dataclass(frozen=True, eq=False)
+class Azimuth(OfDirection):
+    """Angle from the y axis towards the x axis: from north, clockwise, in east-north-up axes."""
 
     def explicit(self) -> s.Scalar:
         return s.ArcTangent(self.vector.x, self.vector.y)
 
 
 @dataclass(frozen=True, eq=False)
-class Elevation(s.Scalar):
+class Elevation(OfDirection):
     """Angle above the xy plane."""
-
-    vector: v.Vector
 
     def explicit(self) -> s.Scalar:
         return s.ArcTangent(self.vector.z, horizontal_length(self.vector))
+
+
+@dataclass(frozen=True, eq=False)
+class AzimuthSine(OfDirection):
+    """Sine of the azimuth; not defined on the z axis, like the next two."""
+
+    def explicit(self) -> s.Scalar:
+        return s.Divide(self.vector.x, horizontal_length(self.vector))
+
+
+@dataclass(frozen=True, eq=False)
+class AzimuthCosine(OfDirection):
+    """Cosine of the azimuth."""
+
+    def explicit(self) -> s.Scalar:
+        return s.Divide(self.vector.y, horizontal_length(self.vector))
+
+
+@dataclass(frozen=True, eq=False)
+class ElevationTangent(OfDirection):
+    """Tangent of the elevation."""
+
+    def explicit(self) -> s.Scalar:
+        return s.Divide(self.vector.z, horizontal_length(self.vector))
 
 
 def direction_angles(vector: v.Vector) -> tuple[s.Scalar, s.Scalar]:
@@ -60,9 +95,23 @@ def is_unit(node: v.Vector) -> bool:
     if isinstance(node, (v.Basis, v.Unit)):
         return True
     if isinstance(node, v.Rotated):
-        return is_unit(node.vector)
+        return keeps_norms(node.rotation) and is_unit(node.vector)
     if isinstance(node, v.VectorNegate):
         return is_unit(node.argument)
     if isinstance(node, v.VectorReference):
         return is_unit(node.expression)
     return isinstance(node, v.VectorSymbol) and node.unit_norm
+
+
+def normalised_in(node: v.Vector) -> v.Unit | None:
+    """The unit vector that a vector is, but for turns, names and its sign."""
+    while not isinstance(node, v.Unit):
+        if isinstance(node, v.Rotated) and keeps_norms(node.rotation):
+            node = node.vector
+        elif isinstance(node, v.VectorNegate):
+            node = node.argument
+        elif isinstance(node, v.VectorReference):
+            node = node.expression
+        else:
+            return None
+    return node

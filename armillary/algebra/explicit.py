@@ -12,9 +12,15 @@ import sympy
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
-from armillary.algebra.direction import Azimuth, Elevation
+from armillary.algebra.direction import OfDirection
 from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench
-from armillary.algebra.rotation import Elementary, Rotation, factors
+from armillary.algebra.rotation import (
+    Elementary,
+    Rotation,
+    RotationSymbol,
+    Transposed,
+    factors,
+)
 
 Node = s.Scalar | s.Condition | v.Vector | Rotation | Pose | Twist | Wrench | Matrix
 
@@ -81,11 +87,11 @@ class Explicit:
         return sympy.atan2(self(node.y), self(node.x))
 
     @translate.register
-    def _(self, node: Azimuth) -> sympy.Basic:
-        return self(node.explicit())
+    def _(self, node: s.ArcSine) -> sympy.Basic:
+        return sympy.asin(self(node.argument))
 
     @translate.register
-    def _(self, node: Elevation) -> sympy.Basic:
+    def _(self, node: OfDirection) -> sympy.Basic:
         return self(node.explicit())
 
     @translate.register
@@ -176,12 +182,20 @@ class Explicit:
     def _(self, node: Rotation) -> sympy.Basic:
         product = sympy.eye(3)
         for factor in factors(node):
-            product = product * elementary_matrix(factor.axis, self(factor.angle))
+            product = product * self(factor)
         return product
 
     @translate.register
     def _(self, node: Elementary) -> sympy.Basic:
         return elementary_matrix(node.axis, self(node.angle))
+
+    @translate.register
+    def _(self, node: RotationSymbol) -> sympy.Basic:
+        return rotation_symbol(node.name)
+
+    @translate.register
+    def _(self, node: Transposed) -> sympy.Basic:
+        return self(node.symbol).T
 
     @translate.register
     def _(self, node: Pose) -> sympy.Basic:
@@ -209,6 +223,11 @@ def symbol(name: str) -> sympy.Symbol:
 def vector_symbol(name: str) -> sympy.Matrix:
     """A column of the symbols of a vector's components."""
     return sympy.Matrix([symbol(f"{name}_{axis}") for axis in v.AXIS_NAMES])
+
+
+def rotation_symbol(name: str) -> sympy.Matrix:
+    """A matrix of the symbols of a rotation's entries."""
+    return sympy.Matrix(3, 3, lambda i, j: symbol(f"{name}_{i + 1}{j + 1}"))
 
 
 def elementary_matrix(axis: int, angle: sympy.Expr) -> sympy.Matrix:

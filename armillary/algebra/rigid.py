@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from armillary.algebra.rotation import Rotation, rotate, transpose
-from armillary.algebra.scalar import ONE, ZERO, Scalar, negate
+from armillary.algebra.scalar import ONE, ZERO, Scalar, ScalarLike, as_scalar, negate
 from armillary.algebra.vector import (
     Components,
     Vector,
@@ -91,6 +92,11 @@ class Wrench:
     def power(self, twist: Twist) -> Scalar:
         """Power on a motion given about the same point."""
         return self.force.dot(twist.linear) + self.moment.dot(twist.angular)
+
+
+def matrix(*rows: Sequence[ScalarLike]) -> Matrix:
+    """A matrix, row by row."""
+    return Matrix(tuple(tuple(map(as_scalar, row)) for row in rows))
 
 
 def hat(vector: Vector) -> Matrix:

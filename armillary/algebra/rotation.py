@@ -1,4 +1,4 @@
-"""Rotations, kept as products of elementary rotations.
+"""Rotations, kept as products of factors: elementary rotations, and those given from outside.
 
 `a_R_b` maps components in b to components in a. Elementary rotations are active and right-handed.
 """
@@ -6,10 +6,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import overload
+from typing import TYPE_CHECKING, overload
 
+from armillary.algebra.misuse import MisuseError, told
 from armillary.algebra.scalar import Scalar, ScalarLike, as_scalar, negate
-from armillary.algebra.vector import Rotated, Vector
+from armillary.algebra.vector import NULL, Rotated, Vector, component
+
+if TYPE_CHECKING:
+    from armillary.algebra.rigid import Matrix
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,9 +33,21 @@ class Rotation:
         return transpose(self)
 
     def column(self, index: int) -> Vector:
+        """Axis 0 (x), 1 (y) or 2 (z) of the inner frame, in the outer one."""
         from armillary.algebra.vector import Basis
 
-        return rotate(self, Basis(index))
+        return rotate(self, Basis(_axis(index)))
+
+    def entry(self, row: int, column: int) -> Scalar:
+        """One entry of the matrix; rows and columns count from 0, so X, Y and Z name them."""
+        return component(self.column(column), _axis(row))
+
+    def matrix(self) -> Matrix:
+        """The nine entries."""
+        from armillary.algebra.rigid import Matrix
+
+        columns = [self.column(j) for j in range(3)]
+        return Matrix(tuple(tuple(component(c, i) for c in columns) for i in range(3)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,10 +59,31 @@ class Elementary(Rotation):
 
 
 @dataclass(frozen=True, eq=False)
+class RotationSymbol(Rotation):
+    """A named rotation: the nine entries of its matrix come from outside the derivation."""
+
+    name: str
+
+    def velocity(self) -> Vector:
+        """Its angular velocity in the outer frame; a plain symbol is held."""
+        return NULL
+
+
+@dataclass(frozen=True, eq=False)
+class Transposed(Rotation):
+    """The inverse of a named rotation."""
+
+    symbol: RotationSymbol
+
+
+Factor = Elementary | RotationSymbol | Transposed
+
+
+@dataclass(frozen=True, eq=False)
 class Composed(Rotation):
     """The product of its factors, outermost first; the identity when there are none."""
 
-    factors: tuple[Elementary, ...]
+    factors: tuple[Factor, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,26 +103,36 @@ def elementary(axis: int, angle: ScalarLike) -> Rotation:
     return Elementary(axis, as_scalar(angle))
 
 
-def factors(rotation: Rotation) -> tuple[Elementary, ...]:
-    """The elementary rotations of a product, outermost first."""
-    if isinstance(rotation, Elementary):
+def factors(rotation: Rotation) -> tuple[Factor, ...]:
+    """What a rotation is the product of, outermost first."""
+    if isinstance(rotation, Factor):
         return (rotation,)
     if isinstance(rotation, Composed):
         return rotation.factors
     if isinstance(rotation, RotationReference):
         return factors(rotation.expression)
-    raise TypeError(f"not a product of elementary rotations: {rotation!r}")
+    raise TypeError(f"not a product of rotations: {rotation!r}")
+
+
+def keeps_norms(rotation: Rotation) -> bool:
+    """Whether it keeps norms by its form; one given by its entries does so within their errors."""
+    return all(isinstance(f, Elementary) for f in factors(rotation))
 
 
 def compose(left: Rotation, right: Rotation) -> Rotation:
-    """The product of two rotations, as one chain of elementary ones."""
+    """The product of two rotations, as one chain of factors."""
     return Composed(factors(left) + factors(right))
 
 
 def transpose(rotation: Rotation) -> Rotation:
-    """The inverse rotation: the reversed chain with opposite angles."""
-    reverse = reversed(factors(rotation))
-    return Composed(tuple(Elementary(f.axis, negate(f.angle)) for f in reverse))
+    """The inverse rotation: the reversed chain of inverse factors."""
+    return Composed(tuple(_inverse(f) for f in reversed(factors(rotation))))
+
+
+def _inverse(factor: Factor) -> Factor:
+    if isinstance(factor, Elementary):
+        return Elementary(factor.axis, negate(factor.angle))
+    return factor.symbol if isinstance(factor, Transposed) else Transposed(factor)
 
 
 def rotate(rotation: Rotation, vector: Vector) -> Vector:
@@ -95,3 +142,12 @@ def rotate(rotation: Rotation, vector: Vector) -> Vector:
     if is_null(vector) or not factors(rotation):
         return vector
     return Rotated(rotation, vector)
+
+
+def _axis(index: int) -> int:
+    if index not in (0, 1, 2):
+        raise MisuseError(
+            f"a rotation has no row or column {told(index)}",
+            "rows and columns count from 0 to 2: X, Y and Z name them",
+        )
+    return index

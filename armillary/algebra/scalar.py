@@ -154,6 +154,21 @@ class ArcTangent(Scalar):
 
 
 @dataclass(frozen=True, eq=False)
+class ArcSine(Scalar):
+    """The angle in [-pi/2, pi/2] that has a sine; for prints, which write it so."""
+
+    argument: Scalar
+
+    def cosine(self) -> Scalar:
+        """The cosine of the angle: of a product, where 1 - x^2 would lose digits near 1."""
+        below, above = add(ONE, negate(self.argument)), add(ONE, self.argument)
+        return SquareRoot(multiply(below, above))
+
+    def explicit(self) -> Scalar:
+        return ArcTangent(self.argument, self.cosine())
+
+
+@dataclass(frozen=True, eq=False)
 class Absolute(Scalar):
     """An absolute value."""
 
@@ -358,6 +373,14 @@ def sqrt(value: ScalarLike) -> Scalar:
 def atan2(y: ScalarLike, x: ScalarLike) -> Scalar:
     """Angle of the point (x, y), in [-pi, pi]; guard (0, 0) with `where`."""
     return ArcTangent(as_scalar(y), as_scalar(x))
+
+
+def arcsin(sine: ScalarLike) -> Scalar:
+    """Angle in [-pi/2, pi/2] with this sine, which must lie in [-1, 1].
+
+    It is for what a paper prints; a derivation keeps its digits with `atan2`.
+    """
+    return ArcSine(as_scalar(sine))
 
 
 def absolute(value: ScalarLike) -> Scalar:

@@ -17,9 +17,7 @@ from armillary.derivation.names import check_name
 from armillary.derivation.quantity import (
     AnyQuantity,
     Constant,
-    Quantity,
     Role,
-    VectorQuantity,
 )
 from armillary.derivation.statements import Block, Case, Kernel, Output
 from armillary.derivation.status import Status
@@ -177,7 +175,7 @@ def _several(argument: str, value: object, source: Source) -> Iterable[object]:
 
 
 def _as_input(d: Derivation, quantity: object, kernel: str, source: Source) -> AnyQuantity:
-    if not isinstance(quantity, (Quantity, VectorQuantity)):
+    if not isinstance(quantity, AnyQuantity):
         raise DerivationError(
             f"an input of kernel {kernel} is not a quantity of {d.name}",
             "list quantities made by d.angle, d.length, ... or a quantity's rate()",
@@ -282,12 +280,13 @@ def check_reach(kernel: Kernel) -> None:
 
 
 def check_arguments(kernel: Kernel) -> None:
-    """Two arguments may not print as one name: a vector `v` prints as v_x, v_y and v_z too."""
+    """Two arguments may not print as one name: vectors and rotations print by part too."""
     names = kernel.argument_names()
     twice = next((name for k, name in enumerate(names) if name in names[:k]), None)
     if twice is not None:
         raise DerivationError(
             f"kernel {kernel.name} has two arguments that print as {twice}",
-            "rename one of them; the components of a vector v print as v_x, v_y, v_z",
+            "rename one of them; the components of a vector v print as v_x, v_y, v_z, "
+            "the entries of a rotation R as R_11 to R_33",
             kernel.source,
         )

@@ -18,6 +18,7 @@ from armillary.algebra.rotation import RotationReference
 from armillary.derivation.quantity import AnyQuantity
 from armillary.derivation.record import Derivation
 from armillary.derivation.statements import Definition, Kernel
+from armillary.derivation.symbols import Leaf
 
 Reference = s.ScalarReference | s.ConditionReference | v.VectorReference | RotationReference
 _REFERENCES = (s.ScalarReference, s.ConditionReference, v.VectorReference, RotationReference)
@@ -109,7 +110,7 @@ def _all(derivation: Derivation) -> list[Definition]:
 def _parts(node: object) -> list[object]:
     if isinstance(node, (tuple, list)):
         return list(node)
-    if isinstance(node, (s.Symbol, v.VectorSymbol, str, int, sympy.Basic)):
+    if isinstance(node, (Leaf, str, int, sympy.Basic)):
         return []
     if hasattr(node, "__dataclass_fields__"):
         return [getattr(node, f.name) for f in fields(node)]  # type: ignore[arg-type]
@@ -130,7 +131,7 @@ class _Digest:
     def _text(self, node: object) -> str:
         if isinstance(node, _REFERENCES):
             return f"reference {node.identifier} {node.name}"
-        if isinstance(node, (s.Symbol, v.VectorSymbol)):
+        if isinstance(node, Leaf):
             value = getattr(node, "value", None)
             return f"symbol {node.name} {sympy.srepr(value) if value is not None else ''}"
         if isinstance(node, sympy.Basic):

@@ -15,6 +15,7 @@ from armillary.derivation.quantity import (
     Quantity,
     Rate,
     Role,
+    RotationQuantity,
     VectorQuantity,
     default_limits,
     default_range,
@@ -78,6 +79,17 @@ class Quantities:
     def unit_vector(self, name: str, meaning: str, **more: object) -> VectorQuantity:
         """A vector of norm 1; refused when its square is off by more than 1e-3."""
         return self.vector(name, meaning, kind=Kind.UNIT_VECTOR, **more)  # type: ignore[arg-type]
+
+    def rotation(
+        self, name: str, meaning: str, *, rate: Rate | None = None, latex: str | None = None
+    ) -> RotationQuantity:
+        """A rotation, by the nine entries of its matrix; refused when they are of no rotation.
+
+        That is: a column's square, or two columns' dot product, off by more than 1e-3, or a
+        reflection.
+        """
+        facts = self._facts(name, meaning, ONE, rate, Kind.ROTATION, None, None, latex)
+        return self._record._declare(RotationQuantity(name, facts))
 
     def _facts(
         self,

@@ -8,8 +8,9 @@ from enum import Enum
 
 import sympy
 
+from armillary.algebra.rotation import RotationSymbol
 from armillary.algebra.scalar import ZERO, Scalar, Symbol
-from armillary.algebra.vector import NULL, Vector, VectorSymbol
+from armillary.algebra.vector import AXIS_NAMES, NULL, Vector, VectorSymbol
 from armillary.derivation.errors import DerivationError, Source, caller
 from armillary.derivation.units import METRE, ONE, RADIAN, Unit
 
@@ -36,6 +37,7 @@ class Kind(Enum):
     REAL = "real"
     NON_NEGATIVE = "non-negative"
     UNIT_VECTOR = "unit vector"
+    ROTATION = "rotation"
 
 
 @dataclass(frozen=True)
@@ -75,6 +77,11 @@ class Quantity(Symbol):
     def shape(self) -> tuple[int, ...]:
         return ()
 
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """The names that its components have in printed code, row-major."""
+        return (self.name,)
+
     def rate(self, name: str | None = None, meaning: str | None = None) -> Symbol:
         """The time derivative as a quantity of its own, `<name>_dot` unless named."""
         if "rate" not in self.known_rate:
@@ -109,6 +116,11 @@ class VectorQuantity(VectorSymbol):
         return (3,)
 
     @property
+    def parts(self) -> tuple[str, ...]:
+        """The names that its components have in printed code, row-major."""
+        return tuple(f"{self.name}_{axis}" for axis in AXIS_NAMES)
+
+    @property
     def unit_norm(self) -> bool:
         return self.facts.kind is Kind.UNIT_VECTOR
 
@@ -130,6 +142,42 @@ class VectorQuantity(VectorSymbol):
 
 
 @dataclass(frozen=True, eq=False)
+class RotationQuantity(RotationSymbol):
+    """A rotation of a derivation, given by the entries of its matrix."""
+
+    facts: Facts
+
+    @property
+    def unit(self) -> Unit:
+        return self.facts.unit
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return (3, 3)
+
+    @property
+    def parts(self) -> tuple[str, ...]:
+        """The names that its components have in printed code, row-major."""
+        return tuple(f"{self.name}_{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3))
+
+    @property
+    def known_rate(self) -> dict[str, Symbol]:
+        """None: a rotation that moves is built from quantities that have rates."""
+        return {}
+
+    def velocity(self) -> Vector:
+        """Its angular velocity: null, for it must be held."""
+        if _moves(self.facts):
+            raise DerivationError(
+                f"{self.name} changes every tick, and a rotation has no rate",
+                "declare it with rate=Rate.DAY or Rate.MOUNT if it is held, "
+                "or build it from angles, which have rates",
+                self.facts.source,
+            )
+        return NULL
+
+
+@dataclass(frozen=True, eq=False)
 class Constant(Symbol):
     """A named number of the derivation, exact, with a unit."""
 
@@ -141,9 +189,13 @@ class Constant(Symbol):
         return self.facts.unit
 
 
+def _moves(facts: Facts) -> bool:
+    return facts.role is Role.INPUT and facts.rate is Rate.TICK
+
+
 def _must_be_held(name: str, facts: Facts) -> None:
     """A quantity without a rate may be differentiated only if it does not move."""
-    if facts.role is Role.INPUT and facts.rate is Rate.TICK:
+    if _moves(facts):
         raise DerivationError(
             f"{name} changes every tick, but it has no rate to differentiate with",
             f"write {name}_dot = {name}.rate() before differentiating, "
@@ -167,12 +219,12 @@ def _must_be_the_same(
     )
 
 
-AnyQuantity = Quantity | VectorQuantity
+AnyQuantity = Quantity | VectorQuantity | RotationQuantity
 
 
 def default_limits(unit: Unit, kind: Kind) -> tuple[float, float]:
     """The wide box of a unit: beyond it an input is refused."""
-    if kind is Kind.UNIT_VECTOR:
+    if kind in (Kind.UNIT_VECTOR, Kind.ROTATION):
         return (-1.001, 1.001)
     wide = 1e3 if unit.agrees(ONE) else 1e6
     return (0.0 if kind is Kind.NON_NEGATIVE else -wide, wide)
@@ -180,7 +232,7 @@ def default_limits(unit: Unit, kind: Kind) -> tuple[float, float]:
 
 def default_range(unit: Unit, kind: Kind) -> tuple[float, float]:
     """The working range of a unit: what trackers are made of."""
-    if kind is Kind.UNIT_VECTOR:
+    if kind in (Kind.UNIT_VECTOR, Kind.ROTATION):
         return (-1.0, 1.0)
     half = {RADIAN: 3.2, METRE: 10.0}.get(unit, 1.0)
     return (0.0 if kind is Kind.NON_NEGATIVE else -half, half)

@@ -96,11 +96,11 @@ class Kernel:
         return name
 
     def argument_names(self) -> list[str]:
-        """The names that inputs and parameters take in printed code, vectors by component too."""
+        """The names that inputs and parameters take in printed code, arrays by part too."""
         return [
             name
             for q in (*self.inputs, *self.parameters)
-            for name in (q.name, *(f"{q.name}_{axis}" for axis in "xyz" if q.shape))
+            for name in (q.name, *(q.parts if q.shape else ()))
         ]
 
 

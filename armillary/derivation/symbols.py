@@ -7,11 +7,14 @@ from dataclasses import fields
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
+from armillary.algebra.rotation import RotationSymbol
+
+Leaf = s.Symbol | v.VectorSymbol | RotationSymbol
 
 
-def leaves(expression: object) -> list[s.Symbol | v.VectorSymbol]:
+def leaves(expression: object) -> list[Leaf]:
     """Every symbol below an expression, once, in the order met."""
-    found: dict[int, s.Symbol | v.VectorSymbol] = {}
+    found: dict[int, Leaf] = {}
     seen: set[int] = set()
     stack = [expression]
     while stack:
@@ -19,7 +22,7 @@ def leaves(expression: object) -> list[s.Symbol | v.VectorSymbol]:
         if id(node) in seen:
             continue
         seen.add(id(node))
-        if isinstance(node, (s.Symbol, v.VectorSymbol)):
+        if isinstance(node, Leaf):
             found[id(node)] = node
         else:
             stack.extend(reversed(list(_children(node))))

@@ -12,9 +12,9 @@ from functools import singledispatchmethod
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
-from armillary.algebra.direction import Azimuth, Elevation
+from armillary.algebra.direction import Azimuth, Elevation, OfDirection
 from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench
-from armillary.algebra.rotation import Rotation, factors
+from armillary.algebra.rotation import Elementary, Rotation, factors
 
 _BASES = ("m", "kg", "s", "K")
 
@@ -181,14 +181,19 @@ class UnitOf:
         return RADIAN
 
     @infer.register
-    def _(self, node: Azimuth) -> Unit | None:
-        self(node.vector)
+    def _(self, node: s.ArcSine) -> Unit | None:
+        unit = self(node.argument)
+        if unit is not None and not unit.dimensionless:
+            raise UnitError(
+                f"the arc sine of a quantity in {unit}: it takes a ratio",
+                "divide by a quantity of the same unit, or correct the unit= of the symbol",
+            )
         return RADIAN
 
     @infer.register
-    def _(self, node: Elevation) -> Unit | None:
+    def _(self, node: OfDirection) -> Unit | None:
         self(node.vector)
-        return RADIAN
+        return RADIAN if isinstance(node, (Azimuth, Elevation)) else ONE
 
     @infer.register
     def _(self, node: s.Select) -> Unit | None:
@@ -259,7 +264,8 @@ class UnitOf:
     def rotation(self, rotation: Rotation) -> None:
         """A rotation turns by angles."""
         for factor in factors(rotation):
-            self._angle(factor.angle, "a rotation")
+            if isinstance(factor, Elementary):
+                self._angle(factor.angle, "a rotation")
 
     def condition(self, condition: s.Condition) -> None:
         """Compare like with like."""

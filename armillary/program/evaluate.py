@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from math import prod
 from typing import Any
 
 from armillary.derivation.status import Status, worse
@@ -23,7 +24,7 @@ class Answer:
 
 
 def evaluate(program: Program, inputs: Inputs, arithmetic: Arithmetic | None = None) -> Answer:
-    """Run a program; scalars by name, vectors as sequences. Guards are not applied.
+    """Run a program; scalars by name, vectors and rotations as flat sequences, without guards.
 
     Results are scalars or flat row-major lists.
     """
@@ -48,16 +49,19 @@ def guard_status(guards: Sequence[Guard], inputs: Mapping[str, Any]) -> int:
     """What the guards say of plain float inputs: 0, NOT_FINITE or OUT_OF_RANGE."""
     status = int(Status.OK)
     for guard in guards:
-        if guard.norm:
-            value = float(sum(float(c) * float(c) for c in inputs[guard.name]))
-        else:
-            whole = inputs[guard.name]
-            value = float(whole if guard.index is None else whole[guard.index])
+        value = _guarded(guard, inputs[guard.name])
         if guard.low <= value <= guard.high:
             continue
         finite = value == value and abs(value) != float("inf")
         status = worse(status, int(Status.OUT_OF_RANGE if finite else Status.NOT_FINITE))
     return status
+
+
+def _guarded(guard: Guard, whole: Any) -> float:
+    """The number that a guard bounds."""
+    if guard.form is None:
+        return float(whole if guard.index is None else whole[guard.index])
+    return sum(sign * prod(float(whole[k]) for k in places) for sign, places in guard.form.terms)
 
 
 class _Run:

@@ -1,68 +1,46 @@
 """Lowers a kernel's expressions to a program, one direction of evaluation at a time.
 
-A `Strategy` fixes what the algebra leaves open: how a vector is carried through several rotations,
-in which direction a product of rotations is formed, and which of the equal forms of a vector is
-computed. `search` lowers with every strategy and keeps the cheapest.
+A `Strategy` fixes what the algebra leaves open; `search` lowers with every strategy and keeps the
+cheapest.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import singledispatchmethod
-from itertools import product
 
 import sympy
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
-from armillary.algebra.direction import Azimuth, Elevation
+from armillary.algebra.direction import (
+    Azimuth,
+    AzimuthCosine,
+    AzimuthSine,
+    Elevation,
+    ElevationTangent,
+    normalised_in,
+)
 from armillary.algebra.rigid import Matrix
-from armillary.algebra.rotation import Elementary, Rotation, RotationReference, factors
+from armillary.algebra.rotation import (
+    Factor,
+    Rotation,
+    factors,
+    keeps_norms,
+)
 from armillary.derivation.quantity import Constant
 from armillary.derivation.statements import Kernel, Output
-from armillary.program.builder import Builder
+from armillary.program.carrying import Carrying
 from armillary.program.program import Op, Program, Result
+from armillary.program.strategy import (
+    FORMS,
+    NORMALISED,
+    Decision,
+    Local,
+    Strategy,
+    strategies,
+)
 
-FORMS = ("nested", "summed", "merged", "inner")
-CARRIES = ("steps", "matrix")
-
-
-@dataclass(frozen=True)
-class Strategy:
-    """A direction of evaluation.
-
-    Attributes:
-        carry: "steps" turns a vector by one elementary rotation after another, "matrix" multiplies
-            it with the product.
-        compose: "inward" forms a product's columns from the innermost factor out, "outward" keeps
-            every prefix of the product and mixes its columns.
-        form: which of the equal forms of a vector is taken (see `Choice`); with "merged",
-            products of rotations about one axis are merged too.
-    """
-
-    carry: str = "steps"
-    compose: str = "inward"
-    form: str = "nested"
-
-
-def strategies() -> list[Strategy]:
-    """Every direction of evaluation; the first is the plain one and wins ties."""
-    return [
-        Strategy(carry, compose, form)
-        for form, carry, compose in product(FORMS, CARRIES, ("inward", "outward"))
-    ]
-
-
-Local = Mapping[v.Vector, str]
-
-
-@dataclass(frozen=True)
-class Decision:
-    """A vector that can be computed in more than one way, and the ways."""
-
-    node: v.Vector
-    options: tuple[str, ...]
+__all__ = ["Strategy", "decisions", "lower", "strategies"]
 
 
 def lower(kernel: Kernel, strategy: Strategy, local: Local | None = None) -> Program:
@@ -84,24 +62,17 @@ def _lowered(
     return lowering.builder.finish(kernel, results, cases), lowering.decisions
 
 
-class _Lowering:
+class _Lowering(Carrying):
     def __init__(self, strategy: Strategy, local: Local) -> None:
-        self.strategy, self.local = strategy, local
-        self.decisions: list[Decision] = []
-        self.builder = Builder()
+        super().__init__(strategy, local)
         self._done: dict[object, int] = {}
-        self._columns: dict[tuple[object, ...], tuple[int, int, int]] = {}
+        self._unscaled: dict[v.Vector, int] = {}
+        self._squares: dict[v.Unit, int] = {}
 
     def __call__(self, node: s.Scalar | s.Condition | v.Vector) -> int:
         if node not in self._done:
             self._done[node] = self.translate(node)
         return self._done[node]
-
-    def decide(self, node: v.Vector, usual: str, options: tuple[str, ...]) -> str:
-        """The way a vector is computed here."""
-        taken = self.local.get(node, usual)
-        self.decisions.append(Decision(node, tuple(o for o in options if o != taken)))
-        return taken
 
     def result(self, output: Output) -> Result:
         value = output.value
@@ -116,80 +87,47 @@ class _Lowering:
             entries = (self(value),)
         return Result(output.name, output.shape, entries)
 
-    # -- vectors and rotations ----------------------------------------------------------------
+    # -- unit vectors and directions ----------------------------------------------------------
 
-    def pick(self, vector: int, index: int) -> int:
-        instruction = self.builder.instructions[vector]
-        if instruction.op is Op.PACK:
-            return instruction.args[index]
-        return self.builder.emit(Op.PICK, vector, data=index)
-
-    def basis(self, axis: int) -> int:
+    def normalised(self, root: v.Unit, vector: int) -> int:
+        """A turned copy of what `root` normalises, divided by the length that all copies have."""
         b = self.builder
-        return b.emit(Op.PACK, *(b.constant(sympy.Integer(int(k == axis))) for k in range(3)))
+        length = b.sqrt(self._squares[root])
+        return self.scaled(b.divide(b.constant(sympy.Integer(1)), length), vector)
 
-    def turn(self, factor: Elementary, vector: int) -> int:
-        angle = self(factor.angle)
-        b = self.builder
-        return b.emit(Op.ROTATE, b.sin(angle), b.cos(angle), vector, data=factor.axis)
+    def is_normalised_last(self, root: v.Unit) -> bool:
+        """Whether the turned copies of a unit vector are turned first and then normalised."""
+        return self.decide(root, "first", NORMALISED) == "last"
 
-    def scaled(self, factor: int, vector: int) -> int:
-        return self.builder.emit(Op.SCALE, factor, vector)
+    def unscaled(self, node: v.Vector) -> int:
+        """A vector along `node` that is not normalised."""
+        if node not in self._unscaled:
+            self._unscaled[node] = self._along(node)
+        return self._unscaled[node]
 
-    def combination(self, weights: tuple[int, ...], vectors: tuple[int, ...]) -> int:
-        terms = [self.scaled(w, c) for w, c in zip(weights, vectors, strict=True)]
-        total = terms[0]
-        for term in terms[1:]:
-            total = self.builder.emit(Op.ADD_VECTORS, total, term)
-        return total
+    def _along(self, node: v.Vector) -> int:
+        if normalised_in(node) is None:
+            return self(node)
+        if isinstance(node, v.Unit):
+            return self(node.vector)  # normalised in itself, if it is: _squares is of this one
+        if isinstance(node, v.Rotated):
+            chain, inner = _flattened(node)
+            return self.turned(node, chain, self.unscaled(inner))
+        if isinstance(node, v.VectorNegate):
+            return self.builder.emit(Op.NEGATE_VECTOR, self.unscaled(node.argument))
+        assert isinstance(node, v.VectorReference)
+        return self.unscaled(node.expression)
 
-    def columns(self, rotation: Rotation) -> tuple[int, int, int]:
-        """The columns of a rotation matrix."""
-        found = self._product(self.chain(factors(rotation)))
-        if isinstance(rotation, RotationReference):
-            for j, column in enumerate(found):
-                names = tuple(f"{rotation.name}_{i + 1}{j + 1}" for i in range(3))
-                self.builder.label(column, names, rotation.identifier)
-        return found
+    def direction(self, node: v.Vector) -> tuple[int, int, int, int]:
+        """Components of a vector along `node`, and its horizontal length.
 
-    def chain(self, given: tuple[Elementary, ...]) -> tuple[Elementary, ...]:
-        """The factors of a product, those about one axis merged if the strategy says so."""
-        if self.strategy.form != "merged":
-            return given
-        done: list[Elementary] = []
-        for factor in given:
-            if done and done[-1].axis == factor.axis:
-                done[-1] = Elementary(factor.axis, s.add(done[-1].angle, factor.angle))
-            else:
-                done.append(factor)
-        return tuple(done)
-
-    def _product(self, chain: tuple[Elementary, ...]) -> tuple[int, int, int]:
-        key = tuple((f.axis, self(f.angle)) for f in chain)
-        if key not in self._columns:
-            if self.strategy.compose == "inward" or not chain:
-                found = tuple(self.carry(chain, self.basis(j)) for j in range(3))
-            else:
-                found = self._mixed(self._product(chain[:-1]), chain[-1])
-            self._columns[key] = (found[0], found[1], found[2])
-        return self._columns[key]
-
-    def _mixed(self, before: tuple[int, int, int], last: Elementary) -> tuple[int, ...]:
-        """Columns of P E from those of P: the two that are not on the axis are mixed."""
-        b = self.builder
-        angle = self(last.angle)
-        sine, cosine = b.sin(angle), b.cos(angle)
-        first, second = (last.axis + 1) % 3, (last.axis + 2) % 3
-        mixed = list(before)
-        pair = (before[first], before[second])
-        mixed[first] = self.combination((cosine, sine), pair)
-        mixed[second] = self.combination((b.negate(sine), cosine), pair)
-        return tuple(mixed)
-
-    def carry(self, chain: tuple[Elementary, ...], vector: int) -> int:
-        for factor in reversed(chain):
-            vector = self.turn(factor, vector)
-        return vector
+        Any length will do, so nothing is normalised for the sake of a direction.
+        """
+        b, root = self.builder, normalised_in(node)
+        plain = root is not None and (_opened(node) is root or self.is_normalised_last(root))
+        vector = self.unscaled(node) if plain else self(node)
+        x, y, z = (self.pick(vector, k) for k in range(3))
+        return x, y, z, b.sqrt(b.add(b.multiply(x, x), b.multiply(y, y)))
 
     # -- one rule a node ----------------------------------------------------------------------
 
@@ -242,16 +180,37 @@ class _Lowering:
         return self.builder.atan2(self(node.y), self(node.x))
 
     @translate.register
+    def _(self, node: s.ArcSine) -> int:
+        return self(node.explicit())
+
+    @translate.register
     def _(self, node: s.Absolute) -> int:
         return self.builder.absolute(self(node.argument))
 
     @translate.register
     def _(self, node: Azimuth) -> int:
-        return self(node.explicit())
+        x, y, _, _ = self.direction(node.vector)
+        return self.builder.atan2(x, y)
 
     @translate.register
     def _(self, node: Elevation) -> int:
-        return self(node.explicit())
+        _, _, z, rho = self.direction(node.vector)
+        return self.builder.atan2(z, rho)
+
+    @translate.register
+    def _(self, node: AzimuthSine) -> int:
+        x, _, _, rho = self.direction(node.vector)
+        return self.builder.divide(x, rho)
+
+    @translate.register
+    def _(self, node: AzimuthCosine) -> int:
+        _, y, _, rho = self.direction(node.vector)
+        return self.builder.divide(y, rho)
+
+    @translate.register
+    def _(self, node: ElevationTangent) -> int:
+        _, _, z, rho = self.direction(node.vector)
+        return self.builder.divide(z, rho)
 
     @translate.register
     def _(self, node: s.Select) -> int:
@@ -324,19 +283,20 @@ class _Lowering:
 
     @translate.register
     def _(self, node: v.Unit) -> int:
-        b = self.builder
-        length = b.sqrt(self(s.Dot(node.vector, node.vector)))
-        return self.scaled(b.divide(b.constant(sympy.Integer(1)), length), self(node.vector))
+        if node not in self._squares:
+            self._squares[node] = self(s.Dot(node.vector, node.vector))
+        return self.normalised(node, self(node.vector))
 
     @translate.register
     def _(self, node: v.Rotated) -> int:
+        root = normalised_in(node)
+        if root is not None and self.is_normalised_last(root):
+            turned = self.unscaled(node)
+            if root not in self._squares:
+                self._squares[root] = self.builder.emit(Op.DOT, turned, turned)
+            return self.normalised(root, turned)
         chain, vector = _flattened(node)
-        chain, inner = self.chain(chain), self(vector)
-        usual = self.strategy.carry if len(chain) > 2 else "steps"
-        if len(chain) < 2 or self.decide(node, usual, CARRIES) == "steps":
-            return self.carry(chain, inner)
-        parts = tuple(self.pick(inner, k) for k in range(3))
-        return self.combination(parts, self._product(chain))
+        return self.turned(node, chain, self(vector))
 
     @translate.register
     def _(self, node: v.Choice) -> int:
@@ -356,7 +316,7 @@ def _opened(node: v.Vector) -> v.Vector:
     return node
 
 
-def _flattened(node: v.Rotated) -> tuple[tuple[Elementary, ...], v.Vector]:
+def _flattened(node: v.Rotated) -> tuple[tuple[Factor, ...], v.Vector]:
     """Nested rotations as one chain; a named vector inside stays a value of its own."""
     chain, inner = factors(node.rotation), node.vector
     while isinstance(inner, v.Rotated):
@@ -365,9 +325,10 @@ def _flattened(node: v.Rotated) -> tuple[tuple[Elementary, ...], v.Vector]:
 
 
 def _without_common_rotation(left: v.Vector, right: v.Vector) -> tuple[v.Vector, v.Vector]:
-    """A rotation keeps norms: (R a).(R a) = a.a, whatever R is."""
-    while left is right and isinstance(_opened(left), v.Rotated):
+    """A rotation keeps norms: (R a).(R a) = a.a, if R is one by its form, not by its entries."""
+    while left is right:
         opened = _opened(left)
-        assert isinstance(opened, v.Rotated)
+        if not isinstance(opened, v.Rotated) or not keeps_norms(opened.rotation):
+            break
         left = right = opened.vector
     return left, right

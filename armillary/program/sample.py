@@ -14,7 +14,10 @@ _PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 6
 
 
 def sample_points(kernel: Kernel, count: int) -> list[dict[str, Any]]:
-    """Low-discrepancy points in the working range, at 50 digits; unit vectors are exact ones."""
+    """Low-discrepancy points in the working range, at 50 digits, with exact unit vectors.
+
+    Rotations are exact ones too.
+    """
     reals = Reals()
     return [
         {q.name: _value(q, _stream(k + 1, i), reals) for i, q in enumerate(_quantities(kernel))}
@@ -53,8 +56,22 @@ def _value(quantity: AnyQuantity, stream: Iterator[Fraction], reals: Reals) -> A
 
     if quantity.shape == ():
         return one()
+    if quantity.facts.kind is Kind.ROTATION:
+        return rotation_of(_normalised([one() for _ in range(4)], reals))
     vector = [one() for _ in range(3)]
-    if quantity.facts.kind is Kind.UNIT_VECTOR:
-        length = reals.sqrt(sum(c * c for c in vector))
-        vector = [c / length for c in vector]
-    return vector
+    return _normalised(vector, reals) if quantity.facts.kind is Kind.UNIT_VECTOR else vector
+
+
+def _normalised(vector: list[Any], reals: Reals) -> list[Any]:
+    length = reals.sqrt(sum(c * c for c in vector))
+    return [c / length for c in vector]
+
+
+def rotation_of(quaternion: list[Any]) -> list[Any]:
+    """The entries, row-major, of the rotation that a unit quaternion (w, x, y, z) stands for."""
+    w, x, y, z = quaternion
+    return [
+        1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
+        2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),
+        2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y),
+    ]  # fmt: skip

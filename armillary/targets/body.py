@@ -106,6 +106,8 @@ def write_body(program: Program, language: Language, taken: frozenset[str]) -> B
 class _Writer:
     def __init__(self, program: Program, language: Language, taken: frozenset[str]) -> None:
         self.program, self.language = program, language
+        kernel = program.kernel
+        self.parts = {q.name: q.parts for q in (*kernel.inputs, *kernel.parameters)}
         self.taken = set(taken)
         self.temporaries = 0
         self.uses = appearances(program)
@@ -164,7 +166,7 @@ class _Writer:
         i = self.program.instructions[number]
         if i.op is Op.INPUT:
             data = i.data
-            name = f"{data[0]}_{'xyz'[data[1]]}" if isinstance(data, tuple) else str(data)
+            name = self.parts[data[0]][data[1]] if isinstance(data, tuple) else str(data)
             return name, True
         if i.op is Op.CONSTANT:
             assert isinstance(i.data, sympy.Expr)

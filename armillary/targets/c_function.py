@@ -8,7 +8,7 @@ import sympy
 
 from armillary.derivation.quantity import AnyQuantity
 from armillary.derivation.status import Status
-from armillary.program.guards import UNIT_SQUARE_TOLERANCE, Guard
+from armillary.program.guards import Form, Guard
 from armillary.program.program import Program
 from armillary.targets.body import Body, Language, unused, write_body
 from armillary.targets.numbers import Precision, shortest
@@ -51,8 +51,9 @@ def function_body(program: Program, language: C) -> list[str]:
     taken = {*kernel.argument_names(), "p", "status"}
     taken |= {kernel.result_argument(o.name) for o in kernel.outputs}
     tests = []
+    parts = {q.name: q.parts for q in (*kernel.inputs, *kernel.parameters)}
     for guard in program.guards:
-        test = GuardTest(guard, language, taken)
+        test = GuardTest(guard, parts[guard.name], language, taken)
         taken.add(test.local)
         tests.append(test)
     lines = _loads(program, language)
@@ -106,8 +107,7 @@ def _load(quantity: AnyQuantity, place: str, language: C) -> list[str]:
     if not quantity.shape:
         return [f"const {language.type} {quantity.name} = {place};"]
     return [
-        f"const {language.type} {quantity.name}_{axis} = {place}[{k}];"
-        for k, axis in enumerate("xyz")
+        f"const {language.type} {part} = {place}[{k}];" for k, part in enumerate(quantity.parts)
     ]
 
 
@@ -138,28 +138,37 @@ def _computation(program: Program, language: C, body: Body) -> list[str]:
 
 
 class GuardTest:
-    """The tests of one guard; that of a unit vector works on a local of its own."""
+    """The tests of one guard; a form of several parts has a local of its own."""
 
-    def __init__(self, guard: Guard, language: C, taken: set[str]) -> None:
-        self.guard, self.c = guard, language
-        if guard.norm:
-            self.local = unused(f"{guard.name}_excess", taken)
+    def __init__(self, guard: Guard, parts: tuple[str, ...], language: C, taken: set[str]) -> None:
+        self.guard, self.parts, self.c = guard, parts, language
+        if guard.form is not None:
+            self.local = unused(f"{guard.name}_{guard.form.label}", taken)
         else:
-            self.local = guard.name if guard.index is None else f"{guard.name}_{'xyz'[guard.index]}"
+            self.local = parts[guard.index or 0]
         self.magnitude = f"fabs{language.suffix}({self.local})"
 
     def load(self) -> list[str]:
-        """What a unit vector's square has too much."""
-        if not self.guard.norm:
+        """How far a form is from its value."""
+        form = self.guard.form
+        if form is None:
             return []
-        square = " + ".join(f"({self.guard.name}_{a} * {self.guard.name}_{a})" for a in "xyz")
-        line = f"const {self.c.type} {self.local} = ({square}) - {self.c.constant(1.0)};"
+        line = f"const {self.c.type} {self.local} = {self._distance(form)};"
         return filled(line, "", "    ")
+
+    def _distance(self, form: Form) -> str:
+        products = [
+            ("-" if sign < 0 else "+", f"({' * '.join(self.parts[k] for k in places)})")
+            for sign, places in form.terms
+        ]
+        first, *rest = products
+        total = first[1] + "".join(f" {sign} {product}" for sign, product in rest)
+        return f"({total}) - {self.c.constant(form.value)}" if form.value else total
 
     def _inside(self) -> str:
         g, c = self.guard, self.c
-        if g.norm:
-            return f"{self.magnitude} <= {c.constant(UNIT_SQUARE_TOLERANCE)}"
+        if g.form is not None:
+            return f"{self.magnitude} <= {c.constant(g.form.tolerance)}"
         if g.low == -g.high:
             return f"{self.magnitude} <= {c.constant(g.high)}"
         low = f"-{c.constant(-g.low)}" if g.low < 0 else c.constant(g.low)

@@ -184,9 +184,9 @@ def _table(derivation: Derivation, compiled: Mapping[str, Compiled]) -> dict[str
     for name, made in compiled.items():
         kernel, used = made.program.kernel, made.program.inputs_used()
         kernels[name] = {
-            "inputs": [(q.name, 3 if q.shape else 1) for q in kernel.inputs],
+            "inputs": [(q.name, len(q.parts)) for q in kernel.inputs],
             "reads": [q.name for q in kernel.parameters if q.name in used],
             "results": [(o.name, o.shape) for o in kernel.outputs],
         }
-    parameters = [(q.name, 3 if q.shape else 1) for q in derivation.parameters]
+    parameters = [(q.name, len(q.parts)) for q in derivation.parameters]
     return {"parameters": parameters, "kernels": kernels}

@@ -127,19 +127,24 @@ def _is_read(quantity: AnyQuantity, kernel: Kernel, used: frozenset[str]) -> boo
 
 
 def _names(quantity: AnyQuantity) -> list[str]:
-    if quantity.shape == ():
-        return [quantity.name]
-    return [f"{quantity.name}_{axis}" for axis in "xyz"]
+    return list(quantity.parts)
 
 
 def _argument(quantity: AnyQuantity) -> str:
     """Name, value, bounds and a value that is safe to compute with where it is refused."""
     low, high = (float(x) for x in quantity.facts.limits)
-    norm = quantity.facts.kind is Kind.UNIT_VECTOR
     if quantity.shape:
-        safe = "(0.48, 0.6, 0.64)" if norm else repr(tuple(_safe(quantity) for _ in range(3)))
-        return f'("{quantity.name}", {quantity.name}, {low!r}, {high!r}, {safe}, {norm})'
+        safe = _SAFE.get(quantity.facts.kind) or (_safe(quantity),) * len(quantity.parts)
+        formed = quantity.facts.kind in _SAFE
+        return f'("{quantity.name}", {quantity.name}, {low!r}, {high!r}, {safe!r}, {formed})'
     return f'("{quantity.name}", {quantity.name}, {low!r}, {high!r}, {_safe(quantity)!r})'
+
+
+# Values that are legal and in general position.
+_SAFE = {
+    Kind.UNIT_VECTOR: (0.48, 0.6, 0.64),
+    Kind.ROTATION: (0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6),
+}
 
 
 def _safe(quantity: AnyQuantity) -> float:
@@ -154,7 +159,7 @@ def _docstring(made: PythonKernel, read: list[AnyQuantity], idle: list[AnyQuanti
     if read:
         lines.append("    Args:")
         for q in read:
-            shape = ", shape (..., 3)" if q.shape else ""
+            shape = f", shape (..., {', '.join(map(str, q.shape))})" if q.shape else ""
             unit = "" if str(q.unit) == "1" else f", {q.unit}"
             lines += _filled(f"{q.name}: {q.facts.meaning}{unit}{shape}", " " * 8, " " * 12)
         if idle:

@@ -139,4 +139,24 @@ def bare() -> Derivation:
     return d
 
 
-SYSTEMS = {make.__name__: make for make in (stress, answers, names, bare)}
+def attitudes() -> Derivation:
+    """Rotations by their entries, as an input and as a parameter, straight and transposed."""
+    d = Derivation("attitudes", title="Attitudes")
+    R = d.rotation("R", "an attitude")
+    Q = d.parameter.rotation("Q", "an attitude that stays")
+    d.parameter.rotation("unread", "an attitude that nothing reads")
+    turn = d.angle("turn", "an angle")
+    v = d.vector("v", "a vector")
+    w = d.define("w", R.transpose() @ elementary(Y, turn) @ Q @ v, because=BECAUSE)
+    d.kernel(
+        "carried",
+        inputs=[v, R, turn],
+        outputs={"w": w, "R": R @ Q.transpose() @ elementary(X, turn), "back": R @ w},
+        summary="A result named like a rotation that is an input.",
+    )
+    d.kernel("parts", inputs=[R], outputs={"e": R.entry(X, Z), "c": R.column(Y), "t": Q.matrix()})
+    d.kernel("unused", inputs=[R], outputs={"one": R.column(Z).dot(vector(0, 0, 1)) * 0 + 1})
+    return d
+
+
+SYSTEMS = {make.__name__: make for make in (stress, answers, names, bare, attitudes)}

@@ -73,6 +73,18 @@ def test_doxygen_tells_units_limits_shapes_and_ids(printed):
         assert f"ARMILLARY_{status}" in flat
 
 
+def test_a_rotation_is_nine_entries(printed):
+    header = texts(printed)["attitudes.h"]
+    flat = " ".join(header.replace("\n *", " ").split())
+    assert "int attitudes_parts_f32( const attitudes_params_f32 *p, const float R[9]," in flat
+    struct = re.search(r"typedef struct \{(.*?)\} attitudes_params_f64;", header, re.S)
+    assert re.findall(r"double (.*);", struct[1]) == ["Q[9]", "unread[9]"]
+    assert "@param[in] R an attitude, rotation matrix, 3 by 3, row-major; refused when" in flat
+    source = texts(printed)["attitudes_parts_f64.c"]
+    assert "const double R_32 = R[7];" in source
+    assert "*e = R_13;" in source
+
+
 def test_sentences_end_once_and_comments_do_not_end_early(printed):
     for name, text in texts(printed).items():
         assert not re.search(r"@brief .*\.\.", text), name

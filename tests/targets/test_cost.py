@@ -25,7 +25,7 @@ def test_stated_cost_is_what_runs(printed):
             setup = f"{params_type(system, target, 'f64')} p = {{}}; "
             arguments.append("&p")
             for q in kernel.parameters:
-                for k in range(3 if q.shape else 1):
+                for k in range(len(q.parts)):
                     field = f"{q.name}[{k}]" if q.shape else q.name
                     setup += f"p.{field} = in[{len(values)}]; "
                     values.append(float(point[q.name][k] if q.shape else point[q.name]))
@@ -40,10 +40,12 @@ def test_stated_cost_is_what_runs(printed):
         call = f"{setup}if ({symbol}({', '.join(arguments)}) < 0) std::abort();"
         (run,) = run_source(text, call, [values], place, [printed.c])
         stated = cost(program)
-        # A unit vector's guard squares and sums: guards are apart in the stated cost.
-        units = sum(guard.norm for guard in program.guards)
+        # The guards of unit vectors and rotations multiply and add: they are apart in the cost.
+        forms = [guard.form for guard in program.guards if guard.form]
+        added = sum(len(form.terms) - 1 + bool(form.value) for form in forms)
+        multiplied = sum(len(places) - 1 for form in forms for _, places in form.terms)
         found = run.counts
-        counted = (found.add - 3 * units, found.mul - 3 * units, found.div, found.sqrt)
+        counted = (found.add - added, found.mul - multiplied, found.div, found.sqrt)
         wanted = (stated.add, stated.multiply, stated.divide, stated.sqrt)
         trigonometry = (found.trig, found.inverse)
         if any(i.op is Op.SELECT for i in program.instructions):

@@ -70,15 +70,37 @@ BREAKAGES = {
 }
 
 
+ROTATION_BREAKAGES = {
+    "a long axis": ("fabs(R_square_2) <= 0.001", "fabs(R_square_2) <= 0.5", "another refusal"),
+    "a shear": ("fabs(R_dot_12) <= 0.001", "fabs(R_dot_12) <= 0.01", "another refusal"),
+    "a mirror": ("fabs(R_determinant) <= 1.0", "fabs(R_determinant) <= 3.0", "another refusal"),
+    "a small error": ("fabs(R_dot_13) <= 0.001", "fabs(R_dot_13) <= 1.0e-6", "a legal input"),
+    "another entry": ("R_13 = R[2]", "R_13 = R[3]", "another refusal|a legal input"),
+}
+
+
 @needs("gcc")
 @pytest.mark.parametrize(("right", "wrong", "why"), BREAKAGES.values(), ids=BREAKAGES)
 def test_the_harness_notices(printed, tmp_path, right, wrong, why):
+    notices(printed, tmp_path, ("stress", "vectors"), right, wrong, why)
+
+
+@needs("gcc")
+@pytest.mark.parametrize(
+    ("right", "wrong", "why"), ROTATION_BREAKAGES.values(), ids=ROTATION_BREAKAGES
+)
+def test_the_harness_notices_what_is_no_rotation(printed, tmp_path, right, wrong, why):
+    notices(printed, tmp_path, ("attitudes", "parts"), right, wrong, why)
+
+
+def notices(printed, tmp_path, kernel, right, wrong, why):
+    """Break one line of a kernel, and see it found."""
     folder = tmp_path / "broken"
     shutil.copytree(printed.c, folder / "c" / "src" / printed.target.folder)
     broken = replace(printed, folder=folder)
-    path = broken.c / "stress_vectors_f64.c"
+    path = broken.c / f"{'_'.join(kernel)}_f64.c"
     text = path.read_text()
     assert right in text
     path.write_text(text.replace(right, wrong))
     with pytest.raises(AssertionError, match=why):
-        fuzz(broken, tmp_path, "gcc", ["-O1"], 20_000, [("stress", "vectors")])
+        fuzz(broken, tmp_path, "gcc", ["-O1"], 20_000, [kernel])

@@ -50,19 +50,19 @@ KERNELS = [
     ("stress", "bounds"),
     ("answers", "both_signs"),
     ("names", "all"),
+    ("attitudes", "carried"),
     ("sun", "angles"),
     ("altazimuth", "velocity"),
 ]
 
 
-def flat(inputs):
-    """Vectors as their components, as bodies name them."""
+def flat(program, inputs):
+    """Vectors as their components and rotations as their entries, as bodies name them."""
     found = {}
-    for name, array in inputs.items():
-        if array.ndim == 1:
-            found[name] = array.tolist()
-        else:
-            found.update({f"{name}_{a}": array[:, k].tolist() for k, a in enumerate("xyz")})
+    for q in (*program.kernel.inputs, *program.kernel.parameters):
+        if q.name in inputs:
+            columns = inputs[q.name].reshape(-1, len(q.parts)).T.tolist()
+            found.update(zip(q.parts, columns, strict=True))
     return found
 
 
@@ -83,7 +83,7 @@ def test_it_is_small():
 def test_javascript_computes_the_same(printed, tmp_path, key):
     program = printed.compiled[key].program
     inputs = points(program, 20)
-    columns = flat(inputs)
+    columns = flat(program, inputs)
     body = write_body(program, JavaScript(), frozenset(columns))
     lines = [f"const kernel = ({', '.join(columns)}) => {{"]
     lines += [f"  const {s.name} = {s.expression};" for s in body.statements]
@@ -99,7 +99,7 @@ def test_javascript_computes_the_same(printed, tmp_path, key):
 def test_plain_python_computes_the_same(printed, key):
     program = printed.compiled[key].program
     inputs = points(program, 20)
-    columns = flat(inputs)
+    columns = flat(program, inputs)
     body = write_body(program, Floats(), frozenset(columns))
     found = []
     for values in zip(*columns.values(), strict=True):

@@ -111,6 +111,8 @@ def test_batches_are_broadcast(printed):
 
 
 def test_plain_numbers_and_lists_are_taken(printed):
+    quarter = printed.module("attitudes").parts(R=[[0, -1, 0], [1, 0, 0], [0, 0, 1]], Q=np.eye(3))
+    assert (quarter.status, quarter.c.tolist()) == (0, [-1.0, 0.0, 0.0])
     module = printed.module("stress")
     found = module.carry(turn=0, v=[1, 2, 3], S_t=(0.5, 0, 0))
     assert found.w.tolist() == [1.5, 2.0, 3.0]
@@ -148,6 +150,20 @@ def test_a_refused_row_leaves_the_others_alone(printed):
     for now, before in zip(found[:-1], whole[:-1], strict=True):
         assert np.isnan(now[1:4]).all()
         assert np.array_equal(now[[0, 4, 5]], before[[0, 4, 5]])
+
+
+@pytest.mark.parametrize("library", LIBRARIES)
+def test_a_matrix_that_is_no_rotation_leaves_the_others_alone(printed, library):
+    module, turned = printed.module("attitudes"), np.tile(np.eye(3)[[1, 2, 0]], (7, 1, 1))
+    turned[1, 0, 0], turned[2, 1, 1], turned[3] = np.nan, 1e20, 0.99 * turned[3]
+    turned[4, 0] *= -1
+    turned[5, :, 0] += 0.01 * turned[5, :, 1]
+    given = LIBRARIES[library](turned)
+    found = module.parts(R=given, Q=np.eye(3))
+    assert np.asarray(found.status).tolist() == [0, -1, -2, -2, -2, -2, 0]
+    assert np.asarray(found.c)[[0, 6]].tolist() == [[1.0, 0.0, 0.0]] * 2
+    assert np.isnan(np.asarray(found.c)[1:6]).all()
+    assert np.asarray(found.t)[0].tolist() == np.eye(3).tolist()
 
 
 def test_limits_are_met_to_the_last_bit(printed):
@@ -194,6 +210,13 @@ def test_a_missing_argument_is_named(printed):
 def test_a_vector_of_another_length_is_named(printed, v):
     with pytest.raises(ValueError, match="v is a vector"):
         printed.module("stress").lengths(v=v)
+
+
+@pytest.mark.parametrize("R", [1.0, np.zeros(3), np.zeros(9), np.zeros((3, 2)), np.zeros((2, 9))])
+def test_a_rotation_of_another_shape_is_named(printed, R):
+    for module in (printed.module("attitudes"), printed.module("native").attitudes):
+        with pytest.raises(ValueError, match="R is a rotation: its last two axes"):
+            module.parts(R=R, Q=np.eye(3))
 
 
 def test_parameters_that_are_not_read_are_accepted(printed):

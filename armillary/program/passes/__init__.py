@@ -1,9 +1,16 @@
 """Passes: pure functions from a program to a cheaper one with the same values."""
 
+from armillary.program.passes.arc_tangents import open_arc_tangents
 from armillary.program.passes.divisions import share_reciprocals
 from armillary.program.passes.factor import factor_sums
 from armillary.program.passes.multiple_angles import expand_multiple_angles
 
-PASSES = (expand_multiple_angles, factor_sums, share_reciprocals)
+PASSES = (expand_multiple_angles, open_arc_tangents, factor_sums, share_reciprocals)
 
-__all__ = ["PASSES", "expand_multiple_angles", "factor_sums", "share_reciprocals"]
+__all__ = [
+    "PASSES",
+    "expand_multiple_angles",
+    "factor_sums",
+    "open_arc_tangents",
+    "share_reciprocals",
+]

@@ -75,8 +75,15 @@ class _Expand(Rewriter):
         i = self.program.instructions[number]
         if i.op in (Op.SIN, Op.COS) and i.args[0] in self.harmonics:
             harmonic = self.harmonics[i.args[0]]
-            return self._recurrence(i.op, self.new[harmonic.base], harmonic.order)
+            return self._recurrence(i.op, self._placed(harmonic.base), harmonic.order)
         return super().rewrite(number)
+
+    def _placed(self, base: int) -> int:
+        """The base angle, brought forward where a multiple of it stands before it."""
+        if base < len(self.new):
+            return self.new[base]
+        factor, of = _scaled(self.program, base)
+        return self.builder.multiply(self.builder.constant(factor), self.new[of])
 
     def _recurrence(self, op: Op, base: int, order: int) -> int:
         b = self.builder

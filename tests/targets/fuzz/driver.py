@@ -55,7 +55,7 @@ def _kernel(printed, system, name, facts, parameters, precision):
     place, setting, arguments = 0, [], []
     for k, (q, size) in enumerate(read):
         if k < len(facts["inputs"]):
-            arguments.append(f"in + {place}" if size == 3 else f"in[{place}]")
+            arguments.append(f"in + {place}" if size > 1 else f"in[{place}]")
         else:
             setting.append(f"  memcpy(&p.{q}, in + {place}, {size} * sizeof *in);")
         place += size
@@ -93,7 +93,7 @@ def _allowed(kernel, guarded):
 
 
 def _quantity(quantity, size, dtype):
-    unit = int(quantity.facts.kind is Kind.UNIT_VECTOR)
+    unit = int(quantity.facts.kind in (Kind.UNIT_VECTOR, Kind.ROTATION))
     bounds = [*quantity.facts.limits, *quantity.facts.range]
     numbers = ", ".join(f"(REAL){float(dtype(x)).hex()}" for x in bounds)
     return f'  {{"{quantity.name}", {size}, {unit}, {numbers}}},'

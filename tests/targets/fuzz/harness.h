@@ -13,6 +13,7 @@
 
 enum { MOST = 256, PADDING = 4, CANARY = 0xA5 };
 
+/* `unit` marks a unit vector (size 3) and a rotation (size 9). */
 struct quantity {
   const char *name;
   int size, unit;
@@ -100,9 +101,80 @@ static void direction(REAL *x, double off) {
   }
 }
 
+/* A rotation, row-major: two directions made orthonormal, and their cross product. */
+static void attitude(REAL *x, double off) {
+  REAL drawn[6];
+  double c[3][3], along, square;
+  do {
+    direction(drawn, 0.0);
+    direction(drawn + 3, 0.0);
+    along = 0;
+    for (int k = 0; k < 3; k++) {
+      c[0][k] = (double)drawn[k];
+      along += c[0][k] * (double)drawn[3 + k];
+    }
+  } while (fabs(along) > 0.9);
+  square = 0;
+  for (int k = 0; k < 3; k++) {
+    c[1][k] = (double)drawn[3 + k] - (along * c[0][k]);
+    square += c[1][k] * c[1][k];
+  }
+  for (int k = 0; k < 3; k++) {
+    c[1][k] /= sqrt(square);
+  }
+  for (int k = 0; k < 3; k++) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    c[2][k] = (c[0][i] * c[1][j]) - (c[0][j] * c[1][i]);
+  }
+  for (int k = 0; k < 9; k++) {
+    const double part = off * ((double)below(2001) - 1000.0) / 1000.0;
+    const double y = c[k % 3][k / 3] + part;
+    x[k] = (REAL)y;
+  }
+}
+
+/* Scaled, mirrored, sheared, an axis lost; along the axes; one entry anything. */
+static void spoil_attitude(const struct quantity *q, REAL *x) {
+  static const double scales[] = {0.0, 0.9994, 1.0006, -1.0, 1e30};
+  const int choice = below(10);
+  if (choice < 5) {
+    for (int k = 0; k < 9; k++) {
+      x[k] = (REAL)((double)x[k] * scales[choice]);
+    }
+  } else if (choice == 5) {
+    const int column = below(3);
+    const double scale = below(2) ? -1.0 : 0.999;
+    for (int i = 0; i < 3; i++) {
+      x[(3 * i) + column] = (REAL)((double)x[(3 * i) + column] * scale);
+    }
+  } else if (choice == 6) {
+    const int to = below(3), from = (to + 1 + below(2)) % 3;
+    for (int i = 0; i < 3; i++) {
+      x[(3 * i) + to] = (REAL)((double)x[(3 * i) + to] + (3e-3 * (double)x[(3 * i) + from]));
+    }
+  } else if (choice == 7) { /* a signed permutation of the axes: what singular sets are made of */
+    const int first = below(3), step = 1 + below(2);
+    const int even = step == 1;
+    const double one = below(2) ? 1.0 : -1.0, two = below(2) ? 1.0 : -1.0;
+    memset(x, 0, 9 * sizeof *x);
+    x[3 * first] = (REAL)one;
+    x[(3 * ((first + step) % 3)) + 1] = (REAL)two;
+    x[(3 * ((first + (2 * step)) % 3)) + 2] = (REAL)(one * two * (even ? 1.0 : -1.0));
+  } else {
+    x[below(9)] = special(q);
+  }
+}
+
 enum { WORKING, LEGAL, SPECIAL, WILD };
 
 static void fill(const struct quantity *q, REAL *x, int way) {
+  if (q->unit && q->size == 9 && way != WILD) {
+    attitude(x, way == WORKING ? 0.0 : 1e-4);
+    if (way == SPECIAL) {
+      spoil_attitude(q, x);
+    }
+    return;
+  }
   if (q->unit && way != WILD) {
     direction(x, way == WORKING ? 0.0 : 4e-4);
     if (way == SPECIAL) {
@@ -143,6 +215,28 @@ static void sample(const struct kernel *k, REAL *in) {
   }
 }
 
+/* Whether nine numbers are a rotation within the tolerance; `either` if that is too near to tell.
+   What is not finite is the fault of entries, which are judged by themselves. */
+static int orthonormal(const REAL *x, int *either) {
+  double c[3][3];
+  int fits = 1;
+  for (int k = 0; k < 9; k++) {
+    c[k % 3][k / 3] = (double)x[k];
+  }
+  for (int a = 0; a < 3; a++) {
+    for (int b = a; b < 3; b++) {
+      const double dot = (c[a][0] * c[b][0]) + (c[a][1] * c[b][1]) + (c[a][2] * c[b][2]);
+      const double off = fabs(dot - (a == b ? 1.0 : 0.0));
+      *either = *either || fabs(off - 1e-3) < 1e-6;
+      fits = fits && !(isfinite(off) && off > 1e-3);
+    }
+  }
+  const double volume = (c[0][0] * ((c[1][1] * c[2][2]) - (c[1][2] * c[2][1]))) +
+                        (c[0][1] * ((c[1][2] * c[2][0]) - (c[1][0] * c[2][2]))) +
+                        (c[0][2] * ((c[1][0] * c[2][1]) - (c[1][1] * c[2][0])));
+  return fits && !(isfinite(volume) && volume < 0.0);
+}
+
 /* What the guards must say; `either` if a square lies too near its bound to tell. */
 static int judged(const struct kernel *k, const REAL *in, int *either) {
   int worst = 0;
@@ -158,7 +252,13 @@ static int judged(const struct kernel *k, const REAL *in, int *either) {
       square += (double)in[c] * (double)in[c];
     }
     const double excess = fabs(square - 1.0);
-    if (q->unit && legal && fabs(excess - 1e-3) < 1e-6) {
+    if (q->unit && q->size == 9) {
+      int near = 0;
+      if (!orthonormal(in, &near)) {
+        worst = -2;
+      }
+      *either = *either || near;
+    } else if (q->unit && legal && fabs(excess - 1e-3) < 1e-6) {
       *either = 1;
     } else if (q->unit && legal && excess > 1e-3) {
       worst = -2;
