@@ -21,7 +21,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK := 1
 $(shell rm -f build/worked)
 
 .NOTPARALLEL:
-.PHONY: all help environment package katex generate check site serve lint test test-all benchmark \
+.PHONY: all help environment package katex generate check audit site serve lint test test-all benchmark \
   benchmark-environment tools wheel try-wheel lock clean distclean
 
 all: site ## Set up, regenerate, check and build the site: all that changed since last time
@@ -53,11 +53,16 @@ check: generate ## Compare the kernels with identities and independent engines
 	$(ONCE) build/stamps/check --reads $(SOURCES) armillary/verify generated --makes build/checks.json -- \
 	  $(BIN)/armillary check
 
-site: katex check ## Build the site
-	$(ONCE) build/stamps/site --reads $(SOURCES) armillary/site generated site_docs mkdocs.yml build/checks.json \
+audit: package ## Compare what papers print with what is derived
+	$(ONCE) build/stamps/audit --reads $(SOURCES) armillary/verify \
+	  $(addprefix armillary/site/,idioms.py notation.py structure.py) --makes build/audit.json -- \
+	  $(BIN)/armillary audit
+
+site: katex check audit ## Build the site
+	$(ONCE) build/stamps/site --reads $(SOURCES) armillary/site armillary/verify generated site_docs mkdocs.yml build/checks.json build/audit.json \
 	  --makes site/index.html -- $(BIN)/armillary site build
 
-serve: katex check ## Serve the site and rebuild it while you edit
+serve: katex check audit ## Serve the site and rebuild it while you edit
 	$(BIN)/armillary site serve
 
 # The generated C is laid out by its printer, so only C that people write is formatted.
@@ -107,7 +112,7 @@ lock: environment ## Renew the lock files (UPGRADE=--upgrade takes the newest ve
 	PATH="$(CURDIR)/$(BIN):$$PATH" npm install --package-lock-only --silent
 
 clean: ## Remove what was built; the environment stays
-	rm -rf build site dist site_docs/systems armillary/site/theme/assets/katex generated/.staging*
+	rm -rf build site dist site_docs/systems site_docs/papers armillary/site/theme/assets/katex generated/.staging*
 	find . -name __pycache__ -not -path './.venv/*' -prune -exec rm -rf {} +
 
 distclean: clean ## Remove the environment and the downloads too

@@ -2,11 +2,12 @@
 
 from armillary.algebra.derivative import partial, time_derivative
 from armillary.algebra.direction import atan2_or_zero, direction_angles, full_turn
-from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench, hat, vee
+from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench, hat, matrix, vee
 from armillary.algebra.rotation import Rotation, elementary
 from armillary.algebra.scalar import (
     PI,
     absolute,
+    arcsin,
     atan2,
     cos,
     degrees,
@@ -17,8 +18,10 @@ from armillary.algebra.scalar import (
     where,
     wrap,
 )
+from armillary.algebra.series import truncate
 from armillary.algebra.vector import unit, vector
 from armillary.derivation.motion import define_motion
+from armillary.derivation.paper import Paper
 from armillary.derivation.quantity import Kind, Rate
 from armillary.derivation.record import Derivation
 from armillary.derivation.status import Status
@@ -30,6 +33,7 @@ __all__ = [
     "Derivation",
     "Kind",
     "Matrix",
+    "Paper",
     "Pose",
     "Rate",
     "Rotation",
@@ -40,6 +44,7 @@ __all__ = [
     "Y",
     "Z",
     "absolute",
+    "arcsin",
     "atan2",
     "atan2_or_zero",
     "cos",
@@ -50,11 +55,13 @@ __all__ = [
     "full_turn",
     "hat",
     "hypot",
+    "matrix",
     "number",
     "partial",
     "sin",
     "sqrt",
     "time_derivative",
+    "truncate",
     "unit",
     "vector",
     "vee",

@@ -21,7 +21,7 @@ ROOT = Path(__file__).resolve().parent.parent
 WORKED = ROOT / "build" / "worked"  # there once a step had something to do; the Makefile removes it
 
 # Made on the way, or by a later step; never an input.
-PASSED_OVER = {"__pycache__", ".lock", "katex.new", "site_docs/systems"}
+PASSED_OVER = {"__pycache__", ".lock", "katex.new", "site_docs/systems", "site_docs/papers"}
 
 
 def files(path: Path) -> Iterator[Path]:

@@ -53,6 +53,11 @@ class Project:
         """Every system of the project, sorted."""
         return sorted(path.parent.name for path in self.derivations.glob("*/derivation.py"))
 
+    def papers(self) -> list[str]:
+        """Every paper of the project, sorted."""
+        found = (path.stem for path in self.derivations.glob("papers/*.py"))
+        return sorted(name for name in found if not name.startswith("_"))
+
     def chosen(self, names: tuple[str, ...]) -> list[str]:
         """The named systems, or all of them.
 

@@ -13,7 +13,7 @@ from armillary.derivation.fingerprint import kernel_definitions
 from armillary.derivation.load import load
 from armillary.derivation.quantity import AnyQuantity
 from armillary.derivation.record import Derivation
-from armillary.derivation.statements import Definition, Kernel
+from armillary.derivation.statements import Definition, Kernel, Output
 from armillary.derivation.status import Status
 from armillary.program.compile import compile_kernel
 from armillary.project.checks import row
@@ -63,9 +63,8 @@ def _quantities(derivation: Derivation) -> Iterator[str]:
     yield "quantities"
     for q in derivation.quantities.values():
         facts = q.facts
-        size = "[3]" if q.shape else ""
         kind = f"{facts.role.value}, {facts.rate.value}"
-        yield f"  {q.name + size:<20} {facts.unit!s:<8} {kind:<16} {facts.meaning}"
+        yield f"  {_sized(q):<20} {facts.unit!s:<8} {kind:<16} {facts.meaning}"
 
 
 def _definitions(project: Project, chosen: Iterable[Definition], latex: bool) -> Iterator[str]:
@@ -126,12 +125,12 @@ def _arguments(kernel: Kernel, used: frozenset[str]) -> Iterator[str]:
     read = [_sized(q) for q in kernel.parameters if q.name in used]
     if read:
         yield f"  reads the parameters {', '.join(read)}"
-    results = [o.name + "".join(f"[{n}]" for n in o.shape) for o in kernel.outputs]
+    results = [_sized(o) for o in kernel.outputs]
     yield f"  returns {', '.join(results)}"
 
 
-def _sized(quantity: AnyQuantity) -> str:
-    return quantity.name + ("[3]" if quantity.shape else "")
+def _sized(named: AnyQuantity | Output) -> str:
+    return named.name + "".join(f"[{n}]" for n in named.shape)
 
 
 def _statuses(kernel: Kernel) -> Iterator[str]:

@@ -23,3 +23,6 @@ def overview(project: Project) -> Iterator[str]:
         yield name + ("  (out of date: run `armillary generate`)" if name in state.stale else "")
         for kernel, facts in sorted(entry.kernels.items()):
             yield f"  {kernel:<24} {operations(facts['cost'])}"
+    papers = project.papers()
+    if papers:
+        yield f"papers: {', '.join(papers)}  (`armillary audit` compares what they print)"

@@ -4,8 +4,8 @@ The evaluator differentiates the base kernel's program, operation by operation; 
 algebra made the derivative kernel's program. The two share nothing but the base kernel.
 
 Which kernel is the derivative of which is read off the names of CONVENTIONS: `velocity` and
-`jacobian` belong to `pose`, and a result `x_dot` or `x_rate` to the result `x` of any kernel whose
-inputs the first one has too. A result that depends on rates, and whose name tells of no such pair,
+`jacobian` belong to `pose`, `Omega` of `velocity_x` to the rotation of `matrix_x`, and a result
+`x_dot` or `x_rate` to the result `x` of any kernel whose inputs the first one has too. A result that depends on rates, and whose name tells of no such pair,
 is reported as not covered.
 """
 
@@ -75,6 +75,9 @@ def pair_of(record: Derivation, kernel: Kernel, output: Output) -> Pair | None:
         return _velocity_pair(kernel, output, pose)
     if pose is not None and _is_geometric_jacobian(kernel, output, pose):
         return _jacobian_pair(kernel, output, pose)
+    turned = _rotation_of(record, kernel)
+    if turned is not None and output.name == "Omega" and _moves(kernel, turned):
+        return _spin_pair(kernel, output, turned)
     return None
 
 
@@ -91,7 +94,7 @@ def _not_covered(kernel: Kernel, output: Output) -> Skipped:
         f"{output.name} of {kernel.name} is not covered",
         "dual numbers",
         f"its name does not tell what it is the derivative of: name it {known} where a kernel "
-        "pose returns the pose, or x_dot or x_rate where a kernel of the same inputs returns x",
+        "pose returns the pose, Omega of velocity_x where matrix_x returns the rotation, or x_dot or x_rate where a kernel of the same inputs returns x",
     )
 
 
@@ -115,6 +118,12 @@ def _primitive(record: Derivation, kernel: Kernel, output: Output) -> tuple[Kern
 def _is_geometric_jacobian(kernel: Kernel, output: Output, pose: Kernel) -> bool:
     named = kernel.name == "jacobian" and output.name == "J"
     return named and output.shape == (6, len(pose.inputs))
+
+
+def _rotation_of(record: Derivation, kernel: Kernel) -> Kernel | None:
+    """The kernel that returns the rotation whose velocity `kernel` returns."""
+    kind, _, name = kernel.name.partition("_")
+    return record.kernels.get(f"matrix_{name}") if kind == "velocity" else None
 
 
 def _moves(kernel: Kernel, base: Kernel) -> bool:
@@ -156,6 +165,15 @@ def _velocity_pair(kernel: Kernel, output: Output, pose: Kernel) -> Pair:
     return Pair(kernel, output, pose, f"{output.name} by dual numbers of the pose", wanted)
 
 
+def _spin_pair(kernel: Kernel, output: Output, turned: Kernel) -> Pair:
+    rates = _rates(kernel, turned)
+
+    def wanted(program: Program, row: Row) -> list[Any]:
+        return _spin_space(*_matrices(_along(program, turned, row, rates), 3))
+
+    return Pair(kernel, output, turned, f"{output.name} by dual numbers of the rotation", wanted)
+
+
 def _jacobian_pair(kernel: Kernel, output: Output, pose: Kernel) -> Pair:
     def wanted(program: Program, row: Row) -> list[Any]:
         columns = []
@@ -178,12 +196,13 @@ def _only(row: Row, kernel: Kernel) -> Row:
     return {q.name: row[q.name] for q in quantities(kernel)}
 
 
-def _matrices(answer: Answer) -> tuple[Any, Any]:
-    """The pose and its rate, 4 by 4."""
-    (duals,) = (v for v in answer.results.values() if len(exact.flat(v)) == 16)
-    values = mpmath.matrix(4, 4), mpmath.matrix(4, 4)
+def _matrices(answer: Answer, size: int = 4) -> tuple[Any, Any]:
+    """The pose and its rate, 4 by 4; or a rotation and its rate, 3 by 3."""
+    (duals,) = (v for v in answer.results.values() if len(exact.flat(v)) == size**2)
+    values = mpmath.matrix(size, size), mpmath.matrix(size, size)
     for k, dual in enumerate(duals):
-        values[0][k // 4, k % 4], values[1][k // 4, k % 4] = dual.value, dual.slope
+        place = divmod(k, size)
+        values[0][place], values[1][place] = dual.value, dual.slope
     return values
 
 

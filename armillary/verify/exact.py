@@ -8,17 +8,14 @@ from typing import Any
 import mpmath
 import sympy
 
-from armillary.algebra.explicit import Explicit, Node, symbol, vector_symbol
-from armillary.algebra.scalar import Symbol
-from armillary.algebra.vector import VectorSymbol
-from armillary.derivation.quantity import Constant, Quantity, VectorQuantity
-from armillary.derivation.symbols import leaves
+from armillary.algebra.explicit import Explicit, Node, symbol
+from armillary.derivation.quantity import AnyQuantity, Constant
+from armillary.derivation.symbols import Leaf, leaves
 from armillary.program.arithmetic import DIGITS, Dual, Duals, Reals
 from armillary.program.evaluate import Answer, evaluate
 from armillary.program.program import Program
 
 Row = Mapping[str, Any]
-Leaf = Symbol | VectorSymbol
 
 
 def numbers(reals: Reals, row: Row) -> dict[str, Any]:
@@ -40,7 +37,7 @@ def directional_derivative(
     """Values and slopes of a program along a direction, by dual numbers.
 
     Args:
-        inputs: every input and parameter, a float or a list of three floats.
+        inputs: every input and parameter, a float or a flat list of floats.
         direction: how fast each of them moves; what is left out is held.
 
     Returns:
@@ -52,7 +49,7 @@ def directional_derivative(
     for name, value in numbers(reals, inputs).items():
         speed = direction.get(name)
         if isinstance(value, list):
-            speeds = [still] * 3 if speed is None else [reals.number(c) for c in speed]
+            speeds = [still] * len(value) if speed is None else [reals.number(c) for c in speed]
             duals[name] = [Dual(v, d) for v, d in zip(value, speeds, strict=True)]
         else:
             duals[name] = Dual(value, still if speed is None else reals.number(speed))
@@ -70,13 +67,13 @@ class Function:
     def __init__(self, entries: Sequence[sympy.Expr], symbols: Sequence[Leaf]) -> None:
         exact = {symbol(c.name): c.value for c in symbols if isinstance(c, Constant)}
         self.entries = [e.subs(exact) if exact else e for e in entries]
-        self.quantities = [q for q in symbols if isinstance(q, (Quantity, VectorQuantity))]
+        self.quantities = [q for q in symbols if isinstance(q, AnyQuantity)]
         self._function: Callable[..., Any] | None = None
 
     def __call__(self, row: Row) -> list[Any]:
-        """Values of the entries at one point (floats, lists of three floats)."""
+        """Values of the entries at one point (floats, flat lists of floats)."""
         if self._function is None:
-            names = [n for q in self.quantities for n in _sympy_names(q)]
+            names = [symbol(part) for q in self.quantities for part in q.parts]
             self._function = sympy.lambdify(names, self.entries, modules="mpmath", cse=True)
         with mpmath.workdps(DIGITS + 10):
             given = [mpmath.mpf(x) for q in self.quantities for x in flat(row[q.name])]
@@ -92,10 +89,6 @@ def text_book(value: Node) -> Function:
 def entries_of(form: sympy.Basic) -> list[sympy.Expr]:
     """The scalars of a SymPy form, row-major."""
     return list(form) if isinstance(form, sympy.MatrixBase) else [form]
-
-
-def _sympy_names(q: Quantity | VectorQuantity) -> list[sympy.Symbol]:
-    return [symbol(q.name)] if isinstance(q, Quantity) else list(vector_symbol(q.name))
 
 
 def flat(value: Any) -> list[Any]:

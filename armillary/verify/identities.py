@@ -12,7 +12,7 @@ import sympy
 
 from armillary.algebra.explicit import Explicit, reduce_trigonometry
 from armillary.algebra.rigid import Pose
-from armillary.algebra.rotation import Rotation
+from armillary.algebra.rotation import Rotation, RotationSymbol
 from armillary.algebra.scalar import Condition
 from armillary.derivation.statements import Block, Definition, Identity, Kernel
 from armillary.derivation.symbols import leaves
@@ -44,10 +44,15 @@ def prove(identity: Identity) -> Measured:
 
 
 def text_book_rotation(definition: Definition) -> Measured | None:
-    """R^T R = 1 and det R = 1 for a definition that holds a rotation; None for any other."""
+    """R^T R = 1 and det R = 1 for a definition that holds a rotation; None for any other.
+
+    None too for one that stands on entries given from outside: those are for the guards to judge.
+    """
     block = definition.expression
     rotation = block.rotation if isinstance(block, Pose) else block
     if not isinstance(rotation, Rotation):
+        return None
+    if any(isinstance(leaf, RotationSymbol) for leaf in leaves(rotation)):
         return None
     matrix = sympy.Matrix(Explicit()(rotation))
     defects = [*(matrix.T * matrix - sympy.eye(3)), matrix.det(method="berkowitz") - 1]

@@ -73,7 +73,7 @@ def compare(
         found: what the kernel returned.
         wanted: what the engine says, broadcastable to the same shape.
         tolerance: largest difference allowed.
-        inputs: the inputs, arrays (n,) or (n, 3) or scalars; they name the worst point.
+        inputs: the inputs, arrays (n,), (n, 3) or (n, 3, 3), or scalars; they name the worst point.
         relative: divide by the largest entry of `wanted` at that point, where that is above 1;
             a pose whose arm is 1 mm long is thus held to absolute errors, as its rotation is.
         turn: the values are angles, equal when they differ by whole turns.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import permutations, product
 from typing import Any
 
 import numpy as np
@@ -13,9 +14,10 @@ from armillary.derivation.quantity import AnyQuantity, Kind, Role
 from armillary.derivation.record import Derivation
 from armillary.derivation.statements import Kernel
 from armillary.derivation.units import RADIAN
+from armillary.program.sample import rotation_of
 
 Array = NDArray[np.float64]
-Value = float | tuple[float, float, float]
+Value = float | tuple[float, ...] | Array
 
 # Zenith and horizon, quarter and half turns, and an angle that nobody normalised.
 AWKWARD_ANGLES = (0.0, np.pi / 2, -np.pi / 2, np.pi, -np.pi, 2 * np.pi, 999.0, -999.0)
@@ -27,6 +29,26 @@ AWKWARD_DIRECTIONS: tuple[tuple[float, float, float], ...] = (
     (3.3e-4, 0.0, float(np.sqrt(1 - 3.3e-4**2))),
     (-3.3e-9, 4.7e-9, 1.0),
     (0.0, -3.3e-4, -float(np.sqrt(1 - 3.3e-4**2))),
+)
+
+# Signed permutations of the axes: the identity first, quarter turns, half turns, third turns.
+_PERMUTED = [np.eye(3)[list(p)] * np.array(s)[:, None] for p in permutations(range(3))
+             for s in product((1.0, -1.0), repeat=3)]  # fmt: skip
+_TILTS = (3.3e-4, -4.7e-9, np.pi / 2 - 3.3e-4, np.pi - 3.3e-4, np.pi - 4.7e-9)
+
+
+def _turn(axis: int, angle: float) -> Array:
+    turned = np.eye(3)
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    turned[i, i] = turned[j, j] = np.cos(angle)
+    turned[i, j], turned[j, i] = -np.sin(angle), np.sin(angle)
+    return turned
+
+
+# Signed permutations, and small and nearly half tilts between turns in general position.
+AWKWARD_ROTATIONS: tuple[Array, ...] = (
+    *(m for m in _PERMUTED if np.linalg.det(m) > 0),
+    *(_turn(2, 0.7) @ _turn(axis, tilt) @ _turn(2, -1.9) for axis in (0, 1) for tilt in _TILTS),
 )
 
 
@@ -43,8 +65,9 @@ def quantities(record: Derivation | Kernel | Sequence[AnyQuantity]) -> list[AnyQ
 def random_points(
     record: Derivation | Kernel | Sequence[AnyQuantity], n: int, seed: int = 0
 ) -> dict[str, Array]:
-    """`n` points spread evenly over the declared ranges: arrays (n,), vectors (n, 3).
+    """`n` points spread evenly over the declared ranges.
 
+    Arrays (n,), of vectors (n, 3), of rotations (n, 3, 3).
     Each quantity has a stream of its own, so a quantity added to a system moves no other's points.
     """
     return {q.name: _random(q, n, _stream(q.name, seed)) for q in quantities(record)}
@@ -72,7 +95,8 @@ def awkward_points(record: Derivation | Kernel | Sequence[AnyQuantity]) -> dict[
 def illegal_points(record: Derivation | Kernel | Sequence[AnyQuantity]) -> dict[str, Array]:
     """Points that a kernel must refuse, one fault each; the rest is at random.
 
-    The faults: NaN, infinities, beyond the limits, vectors that are no unit vectors.
+    The faults: NaN, infinities, beyond the limits, vectors that are no unit vectors, matrices that
+    are no rotations.
     """
     known = quantities(record)
     rows = [{q.name: fault} for q in known for fault in _faults(q)]
@@ -84,6 +108,13 @@ def directions(n: int, seed: int) -> Array:
     made = np.random.default_rng(seed).normal(size=(n, 3))
     made /= np.linalg.norm(made, axis=1, keepdims=True)
     return np.concatenate([made, np.array(AWKWARD_DIRECTIONS)])
+
+
+def rotations(n: int, stream: np.random.Generator) -> Array:
+    """`n` rotation matrices spread evenly over all attitudes: (n, 3, 3)."""
+    made = stream.normal(size=(n, 4))
+    quaternions = list((made / np.linalg.norm(made, axis=1, keepdims=True)).T)
+    return np.stack(rotation_of(quaternions), axis=1).reshape(n, 3, 3)
 
 
 def joined(first: Mapping[str, Array], second: Mapping[str, Array]) -> dict[str, Array]:
@@ -102,9 +133,12 @@ def count(points: Mapping[str, Array]) -> int:
 
 
 def rows_of(points: Mapping[str, Array]) -> Iterator[dict[str, Any]]:
-    """The points one by one: floats, and lists of three floats."""
+    """The points one by one: floats, and flat lists of floats, row-major."""
     for k in range(count(points)):
-        yield {name: array[k].tolist() for name, array in points.items()}
+        yield {
+            name: array[k].ravel().tolist() if array.ndim > 1 else array[k].tolist()
+            for name, array in points.items()
+        }
 
 
 def _stream(name: str, seed: int) -> np.random.Generator:
@@ -115,6 +149,8 @@ def _random(q: AnyQuantity, n: int, stream: np.random.Generator) -> Array:
     if q.facts.kind is Kind.UNIT_VECTOR:
         made = stream.normal(size=(n, 3))
         return np.asarray(made / np.linalg.norm(made, axis=1, keepdims=True))
+    if q.facts.kind is Kind.ROTATION:
+        return rotations(n, stream)
     low, high = q.facts.range
     return stream.uniform(low, high, size=(n, *q.shape))
 
@@ -124,6 +160,8 @@ def _awkward(q: AnyQuantity) -> list[Value]:
     low, high = q.facts.limits
     if q.facts.kind is Kind.UNIT_VECTOR:
         return list(AWKWARD_DIRECTIONS)
+    if q.facts.kind is Kind.ROTATION:
+        return list(AWKWARD_ROTATIONS)
     scalars: list[float] = []
     for value in (*(AWKWARD_ANGLES if _is_angle(q) else (0.0,)), *q.facts.range, low, high):
         if low <= value <= high and value not in scalars:
@@ -145,6 +183,8 @@ def _faults(q: AnyQuantity) -> list[Value]:
     bad = [float("nan"), float("inf"), -float("inf"), *beyond]
     if q.shape == ():
         return list(bad)
+    if q.facts.kind is Kind.ROTATION:
+        return _no_rotations(bad)
     middle = 0.0 if low <= 0.0 <= high else low
     faults: list[Value] = []
     for k, value in enumerate(bad):
@@ -153,6 +193,18 @@ def _faults(q: AnyQuantity) -> list[Value]:
     if q.facts.kind is Kind.UNIT_VECTOR:
         faults += [(0.0, 0.0, 0.0), (0.6, 0.6, 0.6), (0.0, 0.0, 0.99)]
     return faults
+
+
+def _no_rotations(bad: Sequence[float]) -> list[Value]:
+    """The identity with one bad entry; matrices that are singular, scaled, sheared, mirrored."""
+    faults: list[Value] = []
+    for k, value in enumerate(bad):
+        matrix = np.eye(3)
+        matrix[k % 3, (k + 1) % 3] = value
+        faults.append(matrix)
+    sheared, mirror = np.eye(3), _turn(2, 0.7) @ np.diag((1.0, 1.0, -1.0))
+    sheared[0, 1] = 0.02
+    return [*faults, np.zeros((3, 3)), 0.99 * np.eye(3), sheared, sheared.T, mirror, -np.eye(3)]
 
 
 def _filled(known: list[AnyQuantity], rows: Sequence[Mapping[str, Value]], seed: int) -> dict[

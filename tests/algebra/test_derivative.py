@@ -6,6 +6,7 @@ from hypothesis import given
 
 from armillary import (
     absolute,
+    arcsin,
     atan2,
     cos,
     direction_angles,
@@ -16,6 +17,7 @@ from armillary import (
     where,
 )
 from armillary.algebra.derivative import partial
+from armillary.algebra.direction import AzimuthCosine, AzimuthSine, ElevationTangent
 from armillary.algebra.explicit import Explicit, symbol, vector_symbol
 from armillary.algebra.rotation import elementary
 from armillary.algebra.vector import choice, vector
@@ -32,6 +34,8 @@ POINT = {
 RATES = {"x": 0.9, "y": -0.4, "c": [0.2, 0.6, -0.1]}
 
 turned = elementary(2, x) @ (elementary(0, -y) @ c)
+carried = elementary(1, y) @ unit(elementary(0, x) @ c + vector(x, 2, 1))
+axis = elementary(0, x) @ -(elementary(1, y) @ vector(1, -2, 1))
 SCALAR_RULES = {
     "sum": x + y,
     "product": x * y * x,
@@ -41,6 +45,7 @@ SCALAR_RULES = {
     "sine of a sum": sin(x + 2 * y),
     "cosine": cos(x * y),
     "atan2": atan2(sin(x), 3 + y),
+    "arc sine": arcsin("0.9" * sin(x * y)),
     "absolute": absolute(y) * x,
     "select": where(x < y, sin(x), cos(y)),
     "component": turned.y,
@@ -51,6 +56,19 @@ SCALAR_RULES = {
     "azimuth of a unit vector": direction_angles(unit(turned))[0],
     "elevation of a sum": direction_angles(turned + c)[1],
     "elevation of a unit vector": direction_angles(unit(turned))[1],
+    "azimuth of a turned unit vector": direction_angles(carried)[0],
+    "elevation of a turned unit vector": direction_angles(carried)[1],
+    "azimuth, the other way round": direction_angles(-carried)[0],
+    "elevation, the other way round": direction_angles(-carried)[1],
+    "azimuth of an axis": direction_angles(axis)[0],
+    "elevation of an axis": direction_angles(axis)[1],
+    "sine of the azimuth": AzimuthSine(carried),
+    "cosine of the azimuth": AzimuthCosine(turned),
+    "tangent of the elevation": ElevationTangent(carried),
+    "rate of an azimuth": partial(direction_angles(carried)[0], x),
+    "rate of an elevation": partial(direction_angles(carried)[1], y),
+    "rate of an axis's azimuth": partial(direction_angles(axis)[0], x),
+    "rate of an axis's elevation": partial(direction_angles(axis)[1], y),
 }
 VECTOR_RULES = {
     "components": vector(sin(x), x * y, 1),
@@ -131,11 +149,3 @@ def test_random_vectors(expression):
 
 def test_a_constant_does_not_move():
     assert by_rule(time_derivative(x * 0 + 3)) == [0.0]
-
-
-def test_the_derivative_of_a_unit_vector_knows_its_norm():
-    """No root of the sum of squares: the elevation's rate is dz / rho."""
-    from armillary.algebra import scalar as s
-
-    rate = time_derivative(direction_angles(unit(turned))[1])
-    assert isinstance(rate, s.Multiply)

@@ -5,7 +5,7 @@ import math
 import pytest
 import sympy
 
-from armillary import PI, degrees, full_turn, number, wrap
+from armillary import PI, degrees, full_turn, matrix, number, wrap
 from armillary.algebra import scalar as s
 from armillary.algebra.explicit import Explicit, symbol
 from armillary.algebra.scalar import ONE, ZERO, Symbol
@@ -31,6 +31,22 @@ def test_structure_is_kept():
     assert isinstance(a + a, s.Add)
     assert isinstance((a + b) * (a + b), s.Multiply)
     assert isinstance(a - a, s.Add)
+
+
+def test_an_arc_sine_keeps_its_digits_near_its_ends():
+    near = 1 - 1e-14
+    angle = Explicit()(s.arcsin(number(near)).explicit())
+    assert float(sympy.N(angle, 30)) == float(sympy.N(sympy.asin(number(near).value), 30))
+    assert isinstance(s.arcsin(a), s.ArcSine)
+
+
+def test_matrices_are_written_row_by_row():
+    made = matrix((1, a), (b, "0.5"))
+    assert made.shape == (2, 2)
+    assert made.rows[0][1] is a
+    assert made.rows[1][1].value == sympy.Rational(1, 2)
+    with pytest.raises(ValueError, match="one length"):
+        matrix((1, 2), (3,))
 
 
 def test_decimals_are_what_was_written():

@@ -2,7 +2,7 @@
 
 import pytest
 
-from armillary import Derivation, Twist, Wrench, sqrt, vector
+from armillary import Derivation, Twist, Wrench, arcsin, sqrt, vector
 from armillary.derivation.units import (
     KILOGRAM,
     METRE,
@@ -45,6 +45,12 @@ def test_units_follow(expression, unit):
 def test_what_does_not_fit(expression):
     with pytest.raises(UnitError, match="do not fit"):
         UnitOf()(expression)
+
+
+def test_an_arc_sine_takes_a_ratio():
+    assert UnitOf()(arcsin(L / W)) == RADIAN
+    with pytest.raises(UnitError, match="arc sine of a quantity in m"):
+        UnitOf()(arcsin(L))
 
 
 def test_zero_fits_everywhere():

@@ -4,16 +4,22 @@ import pytest
 import sympy
 from hypothesis import given, settings
 
-from armillary import cos, sin, sqrt
+from armillary import atan2, atan2_or_zero, cos, hypot, sin, sqrt, where
 from armillary.program.arithmetic import Reals
 from armillary.program.compile import compile_kernel
 from armillary.program.cost import cost
 from armillary.program.evaluate import evaluate
 from armillary.program.lower import strategies
-from armillary.program.passes import PASSES, expand_multiple_angles, factor_sums, share_reciprocals
+from armillary.program.passes import (
+    PASSES,
+    expand_multiple_angles,
+    factor_sums,
+    open_arc_tangents,
+    share_reciprocals,
+)
 from armillary.program.program import STRUCTURED_OPS, Op
 from armillary.program.scalarise import scalarise
-from tests.expressions import INPUTS, SCALARS, VECTORS, record, x, y
+from tests.expressions import INPUTS, SCALARS, VECTORS, c, record, x, y
 from tests.programs import exact, kernel_of, opened, program_of
 
 POINTS = [
@@ -106,6 +112,63 @@ def test_one_division_stays():
     assert share_reciprocals(program).instructions == program.instructions
 
 
+def test_the_reciprocal_of_a_root_serves_its_square():
+    square = 3 + cos(y)
+    program = opened(record, INPUTS, {"r": x / square, "s": y / sqrt(square)})
+    after = share_reciprocals(program)
+    assert ops(program).count(Op.DIVIDE) == 2
+    assert ops(after).count(Op.DIVIDE) == 1
+    assert cost(after).weighted < cost(program).weighted
+    same(program, after)
+
+
+def test_a_root_that_divides_nothing_leaves_its_square_alone():
+    square = 3 + cos(y)
+    program = opened(record, INPUTS, {"r": x / square, "s": y * sqrt(square)})
+    assert share_reciprocals(program).instructions == program.instructions
+
+
+GUARDS = {
+    "length": hypot(c.x, c.y) < "1e-9",
+    "the other order": hypot(c.y, c.x) < "1e-9",
+    "square": c.x * c.x + c.y * c.y < "1e-18",
+}
+
+
+@pytest.mark.parametrize("free", GUARDS.values(), ids=list(GUARDS))
+def test_the_sine_of_a_guarded_arc_tangent_is_a_quotient(free):
+    angle = atan2_or_zero(-c.y, c.x, free)
+    program = opened(record, INPUTS, {"a": angle, "r": sin(angle), "s": cos(angle)})
+    after = open_arc_tangents(program)
+    assert cost(program).trigonometry == 2
+    assert cost(after).trigonometry == 0
+    assert cost(share_reciprocals(after)).divide == 1
+    same(program, after)
+    nowhere = exact({**POINTS[0], "c": [0, 0, 1]})
+    found = evaluate(after, nowhere, Reals()).results
+    assert (found["a"], found["r"], found["s"]) == (0, 0, 1)
+
+
+UNPROVED = {
+    "no guard": atan2(c.y, c.x),
+    "a guard of another length": atan2_or_zero(c.y, c.x, hypot(c.x, c.z) < "1e-9"),
+    "a guard of one argument": atan2(where(hypot(c.x, c.y) < "1e-9", 0, c.y), c.x),
+    "a guard that lets 0 pass": atan2_or_zero(c.y, c.x, hypot(c.x, c.y) < 0),
+    "a guard that varies": atan2_or_zero(c.y, c.x, hypot(c.x, c.y) < x),
+    "a guard of a sum": atan2_or_zero(c.y, c.x, c.x * c.x + c.y * c.z < "1e-9"),
+    "the other way round": atan2_or_zero(c.y, c.x, hypot(c.x, c.y) > "1e-9"),
+    "another angle where it is free": atan2(
+        where(hypot(c.x, c.y) < "1e-9", 1, c.y), where(hypot(c.x, c.y) < "1e-9", 1, c.x)
+    ),
+}
+
+
+@pytest.mark.parametrize("angle", UNPROVED.values(), ids=list(UNPROVED))
+def test_the_sine_of_an_arc_tangent_stays_where_0_may_be_met(angle):
+    program = opened(record, INPUTS, {"r": sin(angle), "s": cos(angle)})
+    assert open_arc_tangents(program).instructions == program.instructions
+
+
 def test_a_series_calls_the_library_twice():
     series = sum((cos(k * x) + sin(k * x) for k in range(2, 5)), cos(x) + sin(x))
     program = opened(record, INPUTS, {"r": series})
@@ -120,6 +183,15 @@ def test_lone_harmonics_are_not_worth_a_recurrence():
     assert expand_multiple_angles(program).instructions == program.instructions
     halves = opened(record, INPUTS, {"r": cos(3 * x) + cos(2 * x)})
     assert cost(expand_multiple_angles(halves)).trigonometry == 2
+
+
+def test_a_multiple_may_stand_before_its_base():
+    """sin(x) is twice the half angle's product, wherever the half angle is written."""
+    program = opened(record, INPUTS, {"r": sin(x) + cos(x), "s": sin(x / 2) * cos(x / 2)})
+    after = expand_multiple_angles(program)
+    assert cost(program).trigonometry == 4
+    assert cost(after).trigonometry == 2
+    same(program, after)
 
 
 def test_a_broken_pass_is_refused(monkeypatch):

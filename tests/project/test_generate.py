@@ -68,6 +68,30 @@ def test_an_edit_touches_its_system_and_its_users_only(small: Project):
     assert {"base_both_f32.c", "user_far_off_f32.c", "manifest.json"} <= files
 
 
+def test_an_edit_of_a_file_beside_touches_its_system_and_its_users(small: Project):
+    folder = small.derivations / "base"
+    part = folder / "reach.py"
+    text = "from armillary import cos\n\ndef reach_of(turn):\n    return 2 * cos(turn)\n"
+    part.write_text(text, "utf-8")
+    edit(small.root, "base", "2 * cos(turn)", "reach_of(turn)")
+    edit(
+        small.root,
+        "base",
+        "import Derivation",
+        "import Derivation, cos, sin\nfrom .reach import reach_of  #",
+    )
+    regenerate(small)
+    assert regenerate(small) == ["nothing to do: 3 systems are up to date"]
+    before = snapshot(small.generated)
+    part.write_text(text.replace("2 *", "3 *"), "utf-8")
+    lines = regenerate(small)
+    assert touched(lines) == {"base", "user"}
+    assert "base.one: unchanged, 0 flops, 1 sin/cos" in lines
+    part.write_text(text, "utf-8")
+    regenerate(small)
+    assert snapshot(small.generated) == before
+
+
 def test_it_says_which_definitions_changed_and_what_that_costs(small: Project):
     regenerate(small)
     edit(small.root, "base", "2 * cos(turn)", "2 * cos(turn) + sin(turn) * 5")

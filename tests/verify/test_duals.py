@@ -53,3 +53,27 @@ def test_a_result_whose_name_tells_nothing_is_reported(tmp_path):
     assert skipped.name == "Omega of velocity is not covered"
     assert "name it Omega_space" in skipped.why
     assert len(made) == len(CHECKS)
+
+
+TURNS = '''"""Turns."""
+
+from armillary import Chain, Derivation, X, Z
+
+derivation = d = Derivation("turns", title="Turns")
+a, b = d.angle("a", "first"), d.angle("b", "second")
+chain = Chain("base").rotate(Z, a).rotate(X, b, frame="body")
+R = chain.rotation("base", "body")
+rates = [a.rate(), b.rate()]
+d.kernel("matrix_zx", inputs=[a, b], outputs={"R": R})
+d.kernel("velocity_zx", inputs=[a, b, *rates], outputs={"Omega": chain.angular_velocity("body")})
+'''
+
+
+def test_an_angular_velocity_belongs_to_the_matrix_of_its_name(tmp_path):
+    (right,) = duals.checks(*record_and_programs(write(tmp_path / "right", turns=TURNS), "turns"))
+    assert right.name == "Omega by dual numbers of the rotation"
+    assert right.passed
+    assert right.points > 20
+    text = TURNS.replace("chain.angular_velocity", "chain.body_angular_velocity")
+    (wrong,) = duals.checks(*record_and_programs(write(tmp_path / "wrong", turns=text), "turns"))
+    assert not wrong.passed

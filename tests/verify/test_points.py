@@ -40,6 +40,45 @@ def test_random_points_lie_in_the_ranges(record):
     assert np.ptp(points["t"]) > 5.0
 
 
+@pytest.fixture
+def attitude():
+    d = Derivation("attitude", title="Attitude")
+    R = d.rotation("R", "attitude")
+    d.kernel("k", inputs=[R], outputs={"r": R.entry(0, 0)})
+    return d.kernels["k"]
+
+
+def test_random_rotations_are_spread_over_all_attitudes(attitude):
+    R = random_points(attitude, 400, seed=1)["R"]
+    assert R.shape == (400, 3, 3)
+    assert np.allclose(R @ R.swapaxes(1, 2), np.eye(3), atol=1e-15)
+    assert np.linalg.det(R).min() > 0
+    assert np.abs(R.mean(axis=0)).max() < 0.15
+    # The angle of an even spread has the density (1 - cos) / pi: 2/pi + pi/2 on the average.
+    angles = np.arccos(np.clip((np.trace(R, axis1=1, axis2=2) - 1) / 2, -1, 1))
+    assert angles.mean() == pytest.approx(np.pi / 2 + 2 / np.pi, abs=0.1)
+
+
+def test_awkward_rotations_are_legal_and_meet_the_singular_sets(attitude):
+    guards = compile_kernel(attitude).program.guards
+    points = awkward_points(attitude)
+    assert {guard_status(guards, row) for row in rows_of(points)} == {0}
+    known = {tuple(m.ravel()) for m in points["R"].round(12) + 0.0}
+    for turn in (np.eye(3), np.diag([-1.0, -1, 1]), np.diag([1.0, -1, -1]), np.eye(3)[[1, 2, 0]]):
+        assert tuple(turn.ravel()) in known
+    lean = np.hypot(points["R"][:, 0, 2], points["R"][:, 1, 2])
+    assert ((lean > 0) & (lean < 1e-6)).any()
+    assert ((lean > 1e-6) & (lean < 1e-3)).any()
+
+
+def test_matrices_that_are_no_rotations_are_refused(attitude):
+    guards = compile_kernel(attitude).program.guards
+    points = illegal_points(attitude)
+    answers = [guard_status(guards, row) for row in rows_of(points)]
+    assert set(answers) == {-1, -2}
+    assert answers.count(-2) == count(points) - 3
+
+
 def test_random_points_are_the_same_every_run(record):
     first, second = random_points(record, 5, seed=1), random_points(record, 5, seed=1)
     assert all(np.array_equal(first[n], second[n]) for n in first)

@@ -52,6 +52,16 @@ def test_a_result_of_before_an_edit_does_not(root, old, new):
     assert len(known(root).rows) == 1
 
 
+def test_a_result_of_before_an_edit_beside_the_simulation_does_not(root):
+    folder = root / "derivations" / "aim"
+    (folder / "simulation.py").write_text("from .rays import checks\n", "utf-8")
+    (folder / "rays.py").write_text("def checks(kernels):\n    yield from ()\n", "utf-8")
+    results.write(root, [row(root, "aim")])
+    assert not known(root).outdated
+    (folder / "rays.py").write_text("def checks(kernels):\n    return iter(())\n", "utf-8")
+    assert known(root).outdated
+
+
 def test_words_change_nothing(root):
     results.write(root, [row(root, "aim")])
     write(root, aim=AIM.replace("above the horizon", "measured from the horizon"))

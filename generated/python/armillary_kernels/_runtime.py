@@ -4,6 +4,7 @@
 Works on any array library that array-api-compat knows: NumPy, PyTorch, JAX, dask, CuPy.
 """
 
+import math
 from typing import Any
 
 import array_api_compat
@@ -11,7 +12,35 @@ import numpy as np
 from array_api_compat import numpy as array_api_numpy
 
 NOT_FINITE, OUT_OF_RANGE = -1, -2
-UNIT_SQUARE_TOLERANCE = 1e-3
+TOLERANCE = 1e-3
+_COLUMNS = ((0, 3, 6), (1, 4, 7), (2, 5, 8))
+
+
+def _dot(first: tuple[int, ...], second: tuple[int, ...], value: float) -> tuple[Any, ...]:
+    return tuple((1, pair) for pair in zip(first, second, strict=True)), value, TOLERANCE
+
+
+# What the parts of a unit vector and of a rotation owe together: signed products whose sum must be
+# near a value. Of matrices with orthonormal columns, the determinant tells a reflection.
+_FORMS = {
+    3: [_dot((0, 1, 2), (0, 1, 2), 1.0)],
+    9: [
+        *(_dot(column, column, 1.0) for column in _COLUMNS),
+        *(_dot(_COLUMNS[i], _COLUMNS[j], 0.0) for i, j in ((0, 1), (0, 2), (1, 2))),
+        (
+            (
+                (1, (0, 4, 8)),
+                (1, (1, 5, 6)),
+                (1, (2, 3, 7)),
+                (-1, (2, 4, 6)),
+                (-1, (1, 3, 8)),
+                (-1, (0, 5, 7)),
+            ),
+            1.0,
+            1.0,
+        ),
+    ],
+}
 
 
 class Call:
@@ -19,7 +48,8 @@ class Call:
 
     Args:
         arguments: for each input (name, value, low, high, safe) and for a vector a sixth entry:
-            whether it must have norm 1. `safe` stands in where the input is refused, so that the
+            whether it must have norm 1. A rotation has nine entries in `safe`, row-major, and its
+            columns must be orthonormal. `safe` stands in where the input is refused, so that the
             arithmetic raises no warning there.
     """
 
@@ -61,6 +91,10 @@ class Call:
         value = self.xp.astype(self.xp.asarray(value), self.dtype)
         if len(bounds) == 3:
             return [value]
+        if len(bounds[2]) == 9:
+            if value.ndim < 2 or tuple(value.shape[-2:]) != (3, 3):
+                raise ValueError(f"{name} is a rotation: its last two axes must have length 3")
+            return [value[..., i, j] for i in range(3) for j in range(3)]
         if value.ndim == 0 or value.shape[-1] != 3:
             raise ValueError(f"{name} is a vector: its last axis must have length 3")
         return [value[..., k] for k in range(3)]
@@ -70,25 +104,32 @@ class Call:
         checked: list[tuple[Any, float]] = []
         for argument in arguments:
             low, high = argument[2], argument[3]
-            count = 1 if len(argument) == 5 else 3
+            count = len(_tuple(argument[4]))
             group = values[position : position + count]
             position += count
             for value in group:
                 self._refuse(xp.logical_and(value >= low, value <= high), value)
-            if count == 3 and argument[5]:
-                inside = xp.logical_and(
-                    xp.abs(group[0]) <= 2,
-                    xp.logical_and(xp.abs(group[1]) <= 2, xp.abs(group[2]) <= 2),
-                )
-                a, b, c = (xp.where(inside, x, xp.ones_like(x)) for x in group)
-                square = a * a + b * b + c * c
-                fits = xp.logical_and(inside, xp.abs(square - 1.0) <= UNIT_SQUARE_TOLERANCE)
-                self._refuse(xp.logical_or(fits, xp.logical_not(inside)), square)
+            if count > 1 and argument[5]:
+                for terms, value, tolerance in _FORMS[count]:
+                    self._refuse_form(group, terms, value, tolerance)
             checked += list(zip(group, _tuple(argument[4]), strict=True))
         fine = self.status >= 0
         self.values: tuple[Any, ...] = tuple(
             xp.where(fine, v, self._full(safe)) for v, safe in checked
         )
+
+    def _refuse_form(self, parts: Any, terms: Any, value: float, tolerance: float) -> None:
+        """A sum of signed products that must be near a value; wild parts are refused by now."""
+        xp = self.xp
+        used = sorted({k for _, places in terms for k in places})
+        inside = xp.abs(parts[used[0]]) <= 2
+        for k in used[1:]:
+            inside = xp.logical_and(inside, xp.abs(parts[k]) <= 2)
+        tame = {k: xp.where(inside, parts[k], xp.ones_like(parts[k])) for k in used}
+        products = [(sign, math.prod(tame[k] for k in places)) for sign, places in terms]
+        total = sum(sign * product for sign, product in products)
+        fits = xp.logical_and(inside, xp.abs(total - value) <= tolerance)
+        self._refuse(xp.logical_or(fits, xp.logical_not(inside)), total)
 
     def _refuse(self, fits: Any, value: Any) -> None:
         """Of several faults the most negative status wins."""

@@ -20,6 +20,7 @@ from ._signatures import FOLDER, PRECISIONS, PREFIX, SYSTEMS
 __all__ = ["NoCompilerError"]
 
 _HERE = Path(__file__).resolve().parent
+_SHAPES: dict[int, tuple[int, ...]] = {1: (), 3: (3,), 9: (3, 3)}
 _TYPES = {"f32": ("float", np.float32), "f64": ("double", np.float64)}
 
 
@@ -80,10 +81,9 @@ def _call(system: str, name: str, arguments: dict[str, Any], result_type: Any) -
         # What float32 cannot hold becomes infinite, and the kernel refuses it.
         arrays = [_real(q, arguments[q], dtype) for q in wanted]
     for q, a in zip(wanted, arrays, strict=True):
-        if sizes[q] == 3 and (a.ndim == 0 or a.shape[-1] != 3):
-            raise ValueError(f"{q} is a vector: its last axis must have length 3")
+        _check_shape(q, a.shape, sizes[q])
     shapes = [
-        a.shape if sizes[q] == 1 else a.shape[:-1] for q, a in zip(wanted, arrays, strict=True)
+        a.shape[: a.ndim - len(_SHAPES[sizes[q]])] for q, a in zip(wanted, arrays, strict=True)
     ]
     batch = np.broadcast_shapes(*shapes) if shapes else ()
     spread = [
@@ -101,6 +101,13 @@ def _call(system: str, name: str, arguments: dict[str, Any], result_type: Any) -
         status.ctypes.data_as(ctypes.c_void_p),
     )
     return result_type(*results, status)
+
+
+def _check_shape(name: str, shape: tuple[int, ...], size: int) -> None:
+    wanted = _SHAPES[size]
+    if shape[len(shape) - len(wanted) :] != wanted or len(shape) < len(wanted):
+        kind, axes = ("vector", "axis") if size == 3 else ("rotation", "two axes")
+        raise ValueError(f"{name} is a {kind}: its last {axes} must have length 3")
 
 
 def _real(name: str, value: Any, dtype: Any) -> Any:
@@ -121,7 +128,7 @@ def _spread(array: Any, shape: tuple[int, ...], batch: tuple[int, ...], size: in
     """A scalar stays one value that every point reads; anything else fills the batch."""
     if shape == ():
         return array
-    full = batch if size == 1 else (*batch, 3)
+    full = (*batch, *_SHAPES[size])
     return np.asarray(np.broadcast_to(array, full), order="C")
 
 
@@ -173,7 +180,7 @@ def _batch_function(system: str, name: str, precision: str) -> list[str]:
                 lines.append(f"    {target} = ({where})[{c}];")
     for k, (_, size) in enumerate(facts["inputs"]):
         where = f"in[{k}] + (i * step[{k}])"
-        call.append(where if size == 3 else f"*({where})")
+        call.append(where if size > 1 else f"*({where})")
     clear = []
     for k, (_, shape) in enumerate(facts["results"]):
         size = int(np.prod(shape, dtype=np.int64))

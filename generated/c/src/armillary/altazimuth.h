@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_ALTAZIMUTH_ABI 0x50c9bbd6UL
+#define ARMILLARY_ALTAZIMUTH_ABI 0x695f07dcUL
 
 #ifdef __cplusplus
 extern "C" {

@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_EQUATORIAL_ABI 0x731c17a3UL
+#define ARMILLARY_EQUATORIAL_ABI 0x886c23d6UL
 
 #ifdef __cplusplus
 extern "C" {

@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_FRAMES_ABI 0x6d9d0bc9UL
+#define ARMILLARY_FRAMES_ABI 0x70df285eUL
 
 #ifdef __cplusplus
 extern "C" {

@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_POLAR_ABI 0x943fec57UL
+#define ARMILLARY_POLAR_ABI 0x60242065UL
 
 #ifdef __cplusplus
 extern "C" {

@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_QUASI_STEADY_ABI 0x8ba0119bUL
+#define ARMILLARY_QUASI_STEADY_ABI 0xbe611a16UL
 
 #ifdef __cplusplus
 extern "C" {

@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_STEADY_ABI 0x9827a52bUL
+#define ARMILLARY_STEADY_ABI 0x688c3998UL
 
 #ifdef __cplusplus
 extern "C" {

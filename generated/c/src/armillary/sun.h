@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_SUN_ABI 0x1c88636cUL
+#define ARMILLARY_SUN_ABI 0x234b9b37UL
 
 #ifdef __cplusplus
 extern "C" {
