@@ -140,7 +140,7 @@ def call(derivation: Derivation) -> str:
     arguments, position = [], 0
     for quantity in kernel.inputs:
         arguments.append(f"in + {position}" if quantity.shape else f"in[{position}]")
-        position += 3 if quantity.shape else 1
+        position += len(quantity.parts)
     position = 0
     for output in kernel.outputs:
         arguments.append(f"out + {position}")

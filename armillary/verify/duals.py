@@ -5,8 +5,8 @@ algebra made the derivative kernel's program. The two share nothing but the base
 
 Which kernel is the derivative of which is read off the names of CONVENTIONS: `velocity` and
 `jacobian` belong to `pose`, `Omega` of `velocity_x` to the rotation of `matrix_x`, and a result
-`x_dot` or `x_rate` to the result `x` of any kernel whose inputs the first one has too. A result that depends on rates, and whose name tells of no such pair,
-is reported as not covered.
+`x_dot` or `x_rate` to the result `x` of any kernel whose inputs the first one has too. A result
+that depends on rates, and whose name tells of no such pair, is reported as not covered.
 """
 
 from __future__ import annotations
@@ -94,7 +94,8 @@ def _not_covered(kernel: Kernel, output: Output) -> Skipped:
         f"{output.name} of {kernel.name} is not covered",
         "dual numbers",
         f"its name does not tell what it is the derivative of: name it {known} where a kernel "
-        "pose returns the pose, Omega of velocity_x where matrix_x returns the rotation, or x_dot or x_rate where a kernel of the same inputs returns x",
+        "pose returns the pose, Omega of velocity_x where matrix_x returns the rotation, or x_dot "
+        "or x_rate where a kernel of the same inputs returns x",
     )
 
 

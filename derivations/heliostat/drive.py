@@ -2,15 +2,30 @@
 
 from dataclasses import dataclass
 
-from armillary import Status, atan2, cos, sin, sqrt, where
+from armillary import Status, atan2, cos, number, sin, sqrt, where
 
 from .frames import I_R_L, local, normal_I
 from .optics import m
 from .symbols import alpha, b, beta, chi, d, edge_tolerance, opposite_tolerance, sun
 
 
+def again(suffix, mark):
+    """Names the same steps for another direction."""
+
+    def define(name, expression, *, meaning, latex=None, because=""):
+        return d.define(
+            f"{name}_{suffix}",
+            expression,
+            because="The same step as for the drive.",
+            meaning=meaning,
+            latex=latex and rf"{{{latex}}}_{{{mark}}}",
+        )
+
+    return define
+
+
 def unnamed(name, expression, **words):
-    """For what is stated elsewhere."""
+    """For what is not worth a name."""
     return expression
 
 
@@ -44,7 +59,7 @@ class Reach:
         blind: whether no elevation reaches it.
         steep: whether the azimuth drive runs away.
         free: whether every azimuth is as good as another.
-        null: whether there is no direction at all.
+        null: whether there is no direction at all; None for one of length 1.
         Q: root of the square, 0 where it is blind.
     """
 
@@ -66,27 +81,30 @@ class Reach:
         An angle that is free has the sine 0 and the cosine 1.
         """
         sine, cosine = turned(self.v, self.W, Q)
+        rise, run = self.rise, Q
+        if self.null is not None:
+            rise, run = where(self.null, 0, rise), where(self.null, 1, run)
         return (
             (
                 define("alpha_y", where(self.free, 0, sine), **_AZIMUTH, latex="y_\\alpha"),
                 define("alpha_x", where(self.free, 1, cosine), **_AZIMUTH, latex="x_\\alpha"),
             ),
             (
-                define("beta_y", where(self.null, 0, self.rise), **_ELEVATION, latex="y_\\beta"),
-                define("beta_x", where(self.null, 1, Q), **_ELEVATION, latex="x_\\beta"),
+                define("beta_y", rise, **_ELEVATION, latex="y_\\beta"),
+                define("beta_x", run, **_ELEVATION, latex="x_\\beta"),
             ),
         )
 
-    def angles(self, Q):
+    def angles(self, Q, define=unnamed):
         """Azimuth and elevation drive for a sign of the root, in [-pi, pi]."""
-        return tuple(atan2(*point) for point in self.points(Q))
+        return tuple(atan2(*point) for point in self.points(Q, define))
 
 
-def reach(v, define=unnamed, offset=None):
+def reach(v, define, offset=None, unit=False):
     """What the drives can do for a direction; `define` names the steps.
 
     With an `offset` it is not the mirror's first axis that is pointed there, but one turned from
-    it towards the second; `v` has length 1 then.
+    it towards the second. `unit` says that `v` has length 1, as it must with an offset.
     """
     across = define(
         "across",
@@ -95,7 +113,7 @@ def reach(v, define=unnamed, offset=None):
         meaning="square of the part of m across the azimuth axis",
         latex=r"\rho^2",
     )
-    size = across + v.z * v.z
+    size = number(1) if unit else across + v.z * v.z
     W = define(
         "W",
         sin(chi) * v.z if offset is None else sin(offset) + sin(chi) * v.z,
@@ -134,13 +152,7 @@ def reach(v, define=unnamed, offset=None):
         because="On the azimuth axis the azimuth drive turns nothing.",
         meaning="whether the direction lies on the azimuth axis, within 1e-6",
     )
-    null = define(
-        "no_direction",
-        size < opposite_tolerance * opposite_tolerance,
-        because="A receiver opposite the sun singles out no normal; a turn leaves the length of m "
-        "as it is, so it may be tested here, where its square is known.",
-        meaning="whether sun and receiver stand opposite each other, as the drives see it",
-    )
+    null = None if unit else _null(size, define)
     Q = define(
         "Q",
         sqrt(where(blind, 0, square)),
@@ -150,6 +162,16 @@ def reach(v, define=unnamed, offset=None):
     )
     rise = v.z if offset is None else sin(chi) * W + cos(chi) * cos(chi) * v.z
     return Reach(v, across, size, W, rise, square, blind, steep, free, null, Q)
+
+
+def _null(size, define):
+    return define(
+        "no_direction",
+        size < opposite_tolerance * opposite_tolerance,
+        because="A receiver opposite the sun singles out no normal; a turn leaves the length of m "
+        "as it is, so it may be tested here, where its square is known.",
+        meaning="whether sun and receiver stand opposite each other, as the drives see it",
+    )
 
 
 m_I = d.define(
@@ -177,7 +199,7 @@ beta_drive = d.define(
     printed="19",
     latex=r"\beta_{bc}",
 )
-over = aim.angles(-aim.Q)
+over = aim.angles(-aim.Q, again("back", r"\prime"))
 alpha_back = d.define(
     "alpha_back",
     over[0],
@@ -202,8 +224,16 @@ m_sun = d.define(
     meaning="sum of the directions to the receiver and to the sun of the almanac",
     latex=r"\mathbf{m}_\odot",
 )
-aim_sun = reach(I_R_L @ local(m_sun))
-tracking = aim_sun.angles(aim_sun.Q)
+m_I_sun = d.define(
+    "m_I_sun",
+    I_R_L @ local(m_sun),
+    because="The same step as for the drive.",
+    meaning="this sum in the frame of the azimuth axis",
+    latex=r"\mathbf{m}_{I\odot}",
+)
+_for_sun = again("sun", r"\odot")
+aim_sun = reach(m_I_sun, _for_sun)
+tracking = aim_sun.angles(aim_sun.Q, _for_sun)
 alpha_track = d.define(
     "alpha_track",
     tracking[0],

@@ -16,7 +16,7 @@ from armillary import (
     where,
 )
 
-from .drive import reach, turned
+from .drive import again, reach, turned
 from .frames import I_R_L
 from .symbols import (
     alpha,
@@ -52,18 +52,20 @@ u = d.define(
     meaning="unit normal that is wanted, in the azimuth axis's frame turned by its encoder's zero",
     latex=r"\mathbf{u}",
 )
-aim_u = reach(u, offset=collimation)
-Q_u = d.define(
-    "Q_u",
+_for_readings = again("u", r"\kappa")
+aim_u = reach(u, _for_readings, offset=collimation, unit=True)
+Q_reading = d.define(
+    "Q_reading",
     where(cos(beta) < 0, -aim_u.Q, aim_u.Q),
     because="The closed form of the drive once more, with sin(kappa) added to W: the true normal "
     "stands off sideways by itself. The mirror stays on the branch that beta is on.",
     meaning="cosine of the elevation drive times cos(chi) cos(kappa)",
-    latex=r"Q_\kappa",
+    latex=r"Q_\mathrm{r}",
 )
+_azimuth_u, (_rise_u, _) = aim_u.points(Q_reading, _for_readings)
 alpha_encoder = d.define(
     "alpha_encoder",
-    aim_u.angles(Q_u)[0],
+    atan2(*_azimuth_u),
     because="The azimuth drive carries (X, Y) to (Q, W).",
     meaning="reading of the azimuth encoder",
     latex=r"\alpha_\mathrm{r}",
@@ -71,8 +73,8 @@ alpha_encoder = d.define(
 beta_encoder = d.define(
     "beta_encoder",
     atan2(
-        aim_u.rise * cos(beta_0) + Q_u * sin(beta_0),
-        Q_u * cos(beta_0) - aim_u.rise * sin(beta_0),
+        _rise_u * cos(beta_0) + Q_reading * sin(beta_0),
+        Q_reading * cos(beta_0) - _rise_u * sin(beta_0),
     ),
     because="The elevation drive's sine and cosine, turned on by the zero of its encoder.",
     meaning="reading of the elevation encoder",
@@ -95,9 +97,16 @@ u_read = d.define(
     meaning="true unit normal for given readings, in the azimuth axis's frame",
     latex=r"\mathbf{u}_\mathrm{r}",
 )
-aim_read = reach(u_read)
-back_read = cos(beta_reading - beta_0) < 0
-decoded = aim_read.angles(where(back_read, -aim_read.Q, aim_read.Q))
+_for_decoding = again("read", r"\mathrm{d}")
+aim_read = reach(u_read, _for_decoding, unit=True)
+Q_decoded = d.define(
+    "Q_decoded",
+    where(cos(beta_reading - beta_0) < 0, -aim_read.Q, aim_read.Q),
+    because="The mirror stays on the branch that the reading is on.",
+    meaning="cosine of the elevation drive times cos(chi)",
+    latex=r"Q_\mathrm{d}",
+)
+decoded = aim_read.angles(Q_decoded, _for_decoding)
 alpha_decoded = d.define(
     "alpha_decoded",
     decoded[0],
@@ -108,7 +117,7 @@ alpha_decoded = d.define(
 beta_decoded = d.define(
     "beta_decoded",
     decoded[1],
-    because="On the branch that the readings are on.",
+    because="The drive angle that goes with it.",
     meaning="elevation drive angle from the readings",
     latex=r"\beta_\mathrm{d}",
 )
@@ -123,20 +132,15 @@ decoding_cases = [
 
 # ---- telescope pointing terms ----
 
-toward = vector(-cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation))
 
-
-def read(n_L):
-    """Azimuth from north and elevation that the encoders read for a normal, in closed form."""
+def read(n_L, length):
+    """Azimuth from north and elevation that the encoders read for a multiple of the normal."""
     v = I_R_L @ n_L
-    W = sin(collimation) + sin(chi) * v.z
+    W = sin(collimation) * length + sin(chi) * v.z
     Q = sqrt(cos(chi) * cos(chi) * (v.x * v.x + v.y * v.y) - W * W)
     rise = sin(chi) * W + cos(chi) * cos(chi) * v.z
     return atan2(*turned(v, W, Q)) + alpha_0 + PI, atan2(rise, Q) + beta_0
 
-
-TERMS = (alpha_0, beta_0, collimation, chi, theta, psi)
-expanded = [truncate(angle, 1, TERMS).terms[1] for angle in read(toward)]
 
 IA = d.define(
     "IA",
@@ -210,14 +214,14 @@ delta_elevation = d.define(
     meaning="reading of the elevation minus the elevation, to first order",
     latex=r"\Delta E",
 )
+
+# South, east and up of the normal, over its horizontal length.
+_toward = vector(-cos(azimuth), sin(azimuth), sin(elevation) / cos(elevation))
+_errors = (alpha_0, beta_0, collimation, chi, theta, psi)
+_turn, _rise = (truncate(angle, 1, _errors).terms[1] for angle in read(_toward, 1 / cos(elevation)))
 d.identity(
-    "in azimuth this is the first order of the exact reading",
-    expanded[0] * cos(elevation) * cos(elevation),
-    cos(elevation)
-    * (IA * cos(elevation) + CA + sin(elevation) * (NPAE + AN * sin(azimuth) + AW * cos(azimuth))),
+    "in azimuth this is the first order of what drive and encoder do exactly",
+    _turn * cos(elevation),
+    IA * cos(elevation) + CA + sin(elevation) * (NPAE + AN * sin(azimuth) + AW * cos(azimuth)),
 )
-d.identity(
-    "and so it is in elevation",
-    expanded[1] * sqrt(cos(elevation) * cos(elevation)),
-    delta_elevation * cos(elevation),
-)
+d.identity("and so it is in elevation", _rise, delta_elevation)

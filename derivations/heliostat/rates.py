@@ -3,7 +3,7 @@
 from armillary import Matrix, X, Y, absolute, cos, elementary, hypot, partial, sin, vector, where
 from armillary.algebra.vector import Basis
 
-from .drive import aim, turned
+from .drive import aim, azimuth_point
 from .frames import H_R_I, I_R_L, chain, local, normal
 from .symbols import alpha, beta, c_dot, chi, d, psi, theta
 
@@ -19,38 +19,37 @@ inverse_Q = d.define(
 )
 inverse_across = d.define(
     "inverse_across",
-    1 / (cos(chi) * where(aim.free, 1, aim.across)),
-    because="Both arguments of the azimuth's arc tangent have the length cos(chi) rho^2: no sine "
+    1 / where(aim.free, 1, cos(chi) * aim.across),
+    because="Both sides of the azimuth's triangle stand over the length cos(chi) rho^2: no sine "
     "need be taken of an angle that was an arc tangent.",
-    meaning="1 / (cos(chi) rho^2)",
+    meaning="1 / (cos(chi) rho^2), 1 where the azimuth is free",
     latex=r"\mu",
 )
-_sine, _cosine = turned(aim.v, aim.W, aim.Q)
 sin_alpha = d.define(
     "sin_alpha",
-    where(aim.free, 0, _sine) * inverse_across,
-    because="The first argument over their length.",
-    meaning="sine of alpha, 0 where it is free",
+    azimuth_point[0] * inverse_across,
+    because="One side over the length.",
+    meaning="sine of alpha",
     latex=r"\sin\alpha_{bc}",
 )
 cos_alpha = d.define(
     "cos_alpha",
-    where(aim.free, cos(chi), _cosine) * inverse_across,
-    because="The second argument over their length.",
-    meaning="cosine of alpha, 1 where it is free",
+    azimuth_point[1] * inverse_across,
+    because="The other side over the length.",
+    meaning="cosine of alpha",
     latex=r"\cos\alpha_{bc}",
 )
 tan_beta = d.define(
     "tan_beta",
     aim.v.z * inverse_Q,
-    because="The arguments of the elevation's arc tangent.",
+    because="One side of the elevation's triangle over the other.",
     meaning="tangent of beta, 0 at the edge",
     latex=r"\tan\beta_{bc}",
 )
 inverse_size = d.define(
     "inverse_size",
     1 / (cos(chi) * where(aim.null, 1, aim.size)),
-    because="Both arguments of the elevation's arc tangent have the length cos(chi) |m|.",
+    because="Both sides of the elevation's triangle stand over the length cos(chi) |m|.",
     meaning="1 / (cos(chi) |m|^2)",
     latex=r"\nu",
 )

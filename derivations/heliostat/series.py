@@ -10,13 +10,14 @@ from armillary import (
     sin,
     sqrt,
     truncate,
+    vector,
     where,
 )
 
 from .drive import azimuth_point, elevation_point, turned
 from .frames import H_R_I, I_R_L, local
 from .optics import m, opposed
-from .symbols import chi, d, edge_tolerance, psi, theta
+from .symbols import alpha, beta, chi, d, edge_tolerance, psi, theta
 
 SMALL = (theta, psi, chi)
 
@@ -146,8 +147,8 @@ _to, _aside = leaning(m_L.x * inverse_level, m_L.y * inverse_level)
 lean_to = d.define(
     "lean_to",
     _to,
-    because="An axis that leans towards the normal leaves less for the elevation drive to lower: "
-    "it must raise by as much.",
+    because="An axis that leans towards the normal takes it down; the elevation drive raises it "
+    "by as much.",
     meaning="lean of the azimuth axis towards the azimuth of the normal",
     latex="p",
 )
@@ -180,16 +181,16 @@ beta_first = d.define(
 alpha_second = d.define(
     "alpha_second",
     alpha_first + where(overhead, 0, alpha_2),
-    because="All products of two errors are kept, and none of three. The last says that it is to "
-    "the north that the axis leans first.",
+    because="All products of two errors are kept, and none of three. The last of them tells which "
+    "lean comes first.",
     meaning="azimuth drive angle to second order; not brought back into [-pi, pi]",
     latex=r"\alpha^{(2)}",
 )
 beta_second = d.define(
     "beta_second",
     beta_first + beta_2,
-    because="Here chi appears: what is carried aside falls short in height, or what is needed for "
-    "it is raised.",
+    because="Here chi appears: an inclined axis loses height, which the elevation makes up for, "
+    "and a lean aside gains some.",
     meaning="elevation drive angle to second order",
     latex=r"\beta^{(2)}",
 )
@@ -202,15 +203,16 @@ def exact(v):
     return atan2(*turned(v, W, Q)), atan2(v.z, Q)
 
 
-expanded = {
-    order: [truncate(angle, order, SMALL) for angle in exact(I_R_L @ m_L)] for order in (1, 2)
-}
-_plain = Law(m_L.z / level, *leaning(m_L.x / level, m_L.y / level))
+# A direction whose ideal drive angles are alpha and beta; its length does not matter.
+_height = sin(beta) / cos(beta)
+_direction = vector(cos(alpha), -sin(alpha), _height)
+_plain = Law(_height, *leaning(cos(alpha), -sin(alpha)))
+_expanded = [truncate(angle, 2, SMALL) for angle in exact(I_R_L @ _direction)]
 for _order, _terms in ((1, _plain.first()), (2, _plain.second())):
-    for _angle, _law, _term in zip(("azimuth", "elevation"), expanded[2], _terms, strict=True):
+    for _angle, _series, _term in zip(("azimuth", "elevation"), _expanded, _terms, strict=True):
         d.identity(
             f"these are all the terms of order {_order} of the exact {_angle}",
-            _law.terms[_order],
+            _series.terms[_order],
             _term,
         )
 

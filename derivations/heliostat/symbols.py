@@ -75,12 +75,9 @@ elevation = d.angle(
     range=(-1.5, 1.5),
     latex="E",
 )
-position = d.vector(
-    "position", "where the mirror stands", unit=METRE, rate=Rate.MOUNT, latex=r"\mathbf{p}"
-)
-aim_point = d.vector(
-    "aim_point", "point of the receiver to be lit", unit=METRE, rate=Rate.MOUNT, latex=r"\mathbf{q}"
-)
+_FIELD = {"unit": METRE, "rate": Rate.MOUNT, "range": (-1000.0, 1000.0)}
+position = d.vector("position", "where the mirror stands", latex=r"\mathbf{p}", **_FIELD)
+aim_point = d.vector("aim_point", "point of the receiver to be lit", latex=r"\mathbf{q}", **_FIELD)
 
 # ---- tolerances ----
 

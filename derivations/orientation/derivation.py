@@ -133,7 +133,7 @@ d.assume(
 )
 d.picture(
     turns((Z, a), (X, b), (Z, c)).translate(Z, 1, frame="tip"),
-    at={"a": 1.1, "b": 0.9, "c": 1.2},
+    at={"a": -0.9, "b": 0.8, "c": 1.2},
     caption="The ZXZ triple: a turn about the vertical, a lean about the line of nodes, and a turn "
     "about the leaning axis, drawn with a rod along that axis.",
 )

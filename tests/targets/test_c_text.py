@@ -180,6 +180,7 @@ def test_any_change_of_layout_changes_the_version(tmp_path):
 
 def test_golden(printed, golden):
     assert answers().name == "answers"
-    for name in ("answers.h", "answers_both_signs_f32.c", "bare_root_f64.c"):
+    files = ("answers.h", "answers_both_signs_f32.c", "bare_root_f64.c", "attitudes_parts_f32.c")
+    for name in files:
         golden(name, (printed.c / name).read_text("utf-8"))
     golden("answers.py.txt", (printed.folder / "python/printed_kernels/answers.py").read_text())

@@ -24,9 +24,12 @@ RANKS = {
     "order of factors": 4,
     "transposition": 4,
     "term": 5,
+    "lost term": 5,
     "factor": 6,
+    "number": 7,
 }
-FAR = 7  # another symbol altogether
+LOST = 7  # a factor or a term that is not there any more
+FAR = 8  # another symbol altogether
 
 
 @dataclass(frozen=True)
@@ -85,7 +88,20 @@ class Changes:
                 yield _change("term", f"without the term {plain(term)}", without)
             if len(terms) > 1 or top:
                 yield _change("factor", f"twice {plain(term)}", put(s.multiply(s.number(2), term)))
+                for lost in self.pool.factors():
+                    more = put(s.multiply(term, lost))
+                    yield Change("factor", f"{plain(term)} times {plain(lost)}", LOST, more)
             yield from _carried(self.product(term), put)
+        if top:
+            yield from self._lost_terms(node)
+
+    def _lost_terms(self, node: s.Scalar) -> Iterator[Change]:
+        unit = self.pool.unit(node)
+        for name in self.pool.met:
+            if unit is None or self.pool.unit(name) == unit:
+                for sign, term in (("plus", name), ("minus", s.negate(name))):
+                    words = f"{sign} {plain(name)} added"
+                    yield Change("lost term", words, LOST, s.add(node, term))
 
     def product(self, node: s.Scalar) -> Iterator[Change]:
         """Changes of the factors of a term."""
@@ -122,6 +138,12 @@ class Changes:
     @inside.register
     def _(self, node: s.Add | s.Multiply | s.Negate) -> Iterator[Change]:
         yield from self.sum(node)
+
+    @inside.register
+    def _(self, node: s.Number) -> Iterator[Change]:
+        for other in self.pool.numbers:
+            if other.value != node.value:
+                yield _change("number", f"{plain(other)} for {plain(node)}", other)
 
     @inside.register
     def _(self, node: s.Divide) -> Iterator[Change]:

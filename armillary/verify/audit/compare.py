@@ -20,6 +20,7 @@ EQUAL = 1e-40
 # Beyond double precision nothing smaller would be met; 50 digits then say what it is.
 _NEAR = 1e-4
 _NEAR_CLOSE = 1e-7
+_ROUNDING = 0.2  # part of the points at which doubles may fail what is equal
 _SCALES = (1e-6, 1e-8)
 _RANDOM, _EXACT, _MANY = 24, 6, 2000
 DIGITS = Digits()
@@ -103,25 +104,19 @@ class Bench:
     def outcome(self, found: s.Scalar, wanted: s.Scalar) -> Outcome:
         """How far `found` agrees with `wanted`."""
         turns = self.turns(wanted) or self.turns(found)
-        if self._close(found, wanted, turns) and self._equal(found, wanted, turns):
+        if self._agree(found, wanted, turns):
             return Outcome(exact=True)
-        if self.small:
-            return Outcome(exact=False, order=self.order(found, wanted, turns))
-        return Outcome(exact=False)
+        order = self.order(found, wanted, turns) if self.small else None
+        return Outcome(exact=False, order=order)
 
     def tried(self, found: s.Scalar, wanted: s.Scalar) -> Outcome:
         """The same for a copy that is soon forgotten; most fail at the first, cheap look."""
         turns = self.turns(wanted)
-        with self.floats.trying():
-            close = self._close(found, wanted, turns)
-        if close:
-            with self.digits.trying():
-                if self._equal(found, wanted, turns):
-                    return Outcome(exact=True)
+        if self._agree(found, wanted, turns):
+            return Outcome(exact=True)
         if self.small:
-            with self.near.trying():
-                close = self._nearly(found, wanted, turns)
-            if close:
+            far = self._far(self.near, found, wanted, turns, _NEAR_CLOSE)
+            if far is not None and far.mean() <= _ROUNDING:
                 return Outcome(exact=False, order=self.order(found, wanted, turns))
         return Outcome(exact=False)
 
@@ -184,30 +179,41 @@ class Bench:
         return unit is not None and unit.agrees(RADIAN) and unit.angle == 1
 
     def scale(self, wanted: s.Scalar) -> float:
-        """The largest value of the derived side, at least 1e-3."""
+        """The largest value of the derived side at the random points, at least 1e-3."""
         if wanted not in self._scales:
             with np.errstate(all="ignore"):
-                sizes = np.abs(self.floats.array(wanted))
+                sizes = np.abs(self.floats.array(wanted))[:_RANDOM]
             finite = sizes[np.isfinite(sizes)]
             self._scales[wanted] = max(1e-3, float(finite.max()) if len(finite) else 0.0)
         return self._scales[wanted]
 
-    def _close(self, found: s.Scalar, wanted: s.Scalar, turns: bool) -> bool:
-        return self._within(self.floats, found, wanted, turns, CLOSE)
+    def _agree(self, found: s.Scalar, wanted: s.Scalar, turns: bool) -> bool:
+        """Whether two are equal: in doubles, where that is enough, and with 50 digits."""
+        far = self._far(self.floats, found, wanted, turns, CLOSE)
+        if far is None or far.mean() > _ROUNDING:
+            return False
+        if far.any():
+            # At an awkward point doubles may have lost all digits: fifty settle it.
+            left = {q: array[far] for q, array in self.points.items()}
+            if not self._equal(Values(DIGITS, p.exact(left, DIGITS)), found, wanted, turns):
+                return False
+        with self.digits.trying():
+            return self._equal(self.digits, found, wanted, turns)
 
-    def _nearly(self, found: s.Scalar, wanted: s.Scalar, turns: bool) -> bool:
-        return self._within(self.near, found, wanted, turns, _NEAR_CLOSE)
-
-    def _within(
+    def _far(
         self, values: Values, found: s.Scalar, wanted: s.Scalar, turns: bool, bound: float
-    ) -> bool:
-        error = np.abs(self.difference(values, found, wanted, turns))
+    ) -> Any:
+        """The points at which two differ in doubles; None where they are never both defined."""
+        with values.trying():
+            error = np.abs(self.difference(values, found, wanted, turns))
         defined = np.isfinite(error)
-        return bool(defined.any()) and bool(error[defined].max() <= bound * self.scale(wanted))
+        if not defined.any():
+            return None
+        return defined & ~(error <= bound * self.scale(wanted))
 
-    def _equal(self, found: s.Scalar, wanted: s.Scalar, turns: bool) -> bool:
+    def _equal(self, values: Values, found: s.Scalar, wanted: s.Scalar, turns: bool) -> bool:
         mp = DIGITS.mp
-        error = [abs(e) for e in self.difference(self.digits, found, wanted, turns)]
+        error = [abs(e) for e in self.difference(values, found, wanted, turns)]
         defined = [e for e in error if not mp.isnan(e)]
         return bool(defined) and max(defined) <= EQUAL * self.scale(wanted)
 

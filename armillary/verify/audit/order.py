@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import comb
+from math import comb, factorial
 from typing import Any
 
 from armillary.algebra import scalar as s
@@ -48,7 +48,7 @@ def coefficient(bench: Bench, node: s.Scalar, k: int) -> Any:
         at = step * (DIGITS.mp.mpf(k) / 2 - j)
         values = Values(DIGITS, with_small(bench.first_few, bench.small, at))
         total = total + (-1) ** j * comb(k, j) * values.array(node)
-    return total / step**k
+    return total / (factorial(k) * step**k)
 
 
 def _keeps(sides: Sides, place: Place, k: int) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, is_dataclass
 from typing import Any
 
 from armillary.algebra import scalar as s
@@ -11,7 +11,7 @@ from armillary.algebra import vector as v
 from armillary.derivation.paper import Paper
 from armillary.derivation.quantity import Constant, Quantity
 from armillary.derivation.symbols import leaves
-from armillary.derivation.units import Unit, UnitError, UnitOf
+from armillary.derivation.units import RADIAN, Unit, UnitError, UnitOf
 from armillary.verify.audit.plain import plain
 from armillary.verify.audit.walking import parts
 
@@ -30,22 +30,37 @@ class Instead:
 class Pool:
     """The scalars and vectors that one print could have meant, in the order met.
 
+    What the claim is named is not among them: to print the claim itself mends nothing.
+
     Args:
-        met: the blocks of the print and of what it claims.
+        printed: the print.
+        claims: what is derived.
         paper: its symbols and shorthands come after those that were met.
     """
 
-    def __init__(self, met: tuple[object, ...], paper: Paper | None = None) -> None:
+    def __init__(self, printed: object, claims: object, paper: Paper | None = None) -> None:
         self._units = UnitOf()
-        found: list[Any] = [n for n in parts(met) if isinstance(n, REFERENCES)]
+        met = (printed, claims)
+        found: list[Any] = [n for n in parts(printed) if isinstance(n, REFERENCES)]
         found += [q for q in leaves(met) if not isinstance(q, Constant)]
         if paper is not None:
             found += [*paper.quantities.values()]
             found += [d.value for d in paper.definitions.values()]
         found += [rate for rate in map(_rate_of, found) if rate is not None]
         once = {id(node): node for node in found}
+        near = {id(node) for node in leaves(met)} | {id(n) for n in parts(printed)}
+        self.met = [n for n in once.values() if isinstance(n, s.Scalar) and id(n) in near]
+        self.numbers = _numbers(met)
         self.scalars: list[s.Scalar] = [n for n in once.values() if isinstance(n, s.Scalar)]
         self.vectors: list[v.Vector] = [n for n in once.values() if isinstance(n, v.Vector)]
+
+    def factors(self) -> Iterator[s.Scalar]:
+        """What a term may have lost: a name that was met, or the sine or cosine of an angle."""
+        for name in self.met:
+            if self.unit(name) == RADIAN:
+                yield s.Cosine(name)
+                yield s.Sine(name)
+            yield name
 
     def instead(self, node: Any) -> Iterator[Instead]:
         """What may stand for a symbol, a shorthand or a component; neighbours first."""
@@ -101,3 +116,22 @@ def _rate_of(node: Any) -> Any:
 
 def _stem(node: Any) -> str:
     return plain(node).partition("_")[0]
+
+
+def _numbers(blocks: object) -> list[s.Number]:
+    """The numbers below an expression, names opened, each value once."""
+    found: dict[Any, s.Number] = {}
+    seen: set[int] = set()
+    stack = [blocks]
+    while stack:
+        node = stack.pop()
+        if id(node) in seen:
+            continue
+        seen.add(id(node))
+        if isinstance(node, (s.Number, Constant)):
+            found.setdefault(node.value, s.Number(node.value))
+        elif isinstance(node, tuple):
+            stack.extend(reversed(node))
+        elif is_dataclass(node) and not isinstance(node, (s.Symbol, v.VectorSymbol)):
+            stack.extend(reversed([getattr(node, f.name) for f in fields(node)]))
+    return list(found.values())

@@ -42,7 +42,7 @@ class Explained:
 
 def read(equation: Equation, name: str, printed: Block, paper: Paper, latex: Latex | None) -> Read:
     """Compare one reading with what it claims, and look for the smallest repair."""
-    pool = Pool((printed, equation.claims), paper)
+    pool = Pool(printed, equation.claims, paper)
     extra = [*pool.scalars, *pool.vectors, *instead(equation, paper)]
     bench = Bench((printed, equation.claims), equation.small, equation.given, extra)
     sides = sides_of(bench, printed, equation.claims)
@@ -124,7 +124,7 @@ def _entry(sides: Sides, place: Place, explained: Explained | None) -> Entry:
     row, column = place[0] + 1, place[1] + 1
     if outcome.exact:
         return Entry(row, column, Verdict.HOLDS)
-    worst = sides.bench.worst(*sides.pair(place))
+    worst = _steady(sides.bench.worst(*sides.pair(place)), 6)
     if outcome.holds:
         return Entry(row, column, Verdict.ORDER, outcome.order, worst=worst)
     assert explained is not None
@@ -179,7 +179,12 @@ def _counterexample(sides: Sides, entries: Sequence[Entry]) -> Counterexample | 
     values = values_at(p.stacked([where], bench.known))
     wanted = float(values.array(derived)[0])
     found = wanted + float(bench.difference(values, printed, derived)[0])
-    return Counterexample(where.told(), found, wanted)
+    return Counterexample(where.told(), _steady(found, 14), _steady(wanted, 14))
+
+
+def _steady(value: float, digits: int) -> float:
+    """A value that is the same on machines whose sines differ in the last bit."""
+    return float(f"{value:.{digits}g}")
 
 
 def _against_size(sides: Sides, entry: Entry) -> float:

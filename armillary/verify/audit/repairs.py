@@ -30,7 +30,8 @@ def entry_repair(
     singles = singles[:_SINGLES]
     for change in singles:
         outcome = bench.tried(change.node, derived)
-        if outcome.holds:
+        # To add the first term of a series would mend any truncated one: a lost term must fit.
+        if outcome.exact or (outcome.holds and change.kind != "lost term"):
             return _repair((change,), outcome.order, latex)
     if not deep:
         return None

@@ -31,7 +31,8 @@ from armillary.verify.audit.words import at, number
 
 _POINTS = 2000
 _PART = 0.1  # an effect below this part of another is negligible beside it
-_FITS = 0.5  # a word that is missed this much less is the one that was meant
+# A word that one matrix has, and that the others miss this much less, is the one that was meant.
+_FITS = 0.5
 _SIZE = 1e-3  # at which effects of small quantities are compared
 
 
@@ -48,7 +49,7 @@ def word(paper: Paper, said: Word) -> Finding:
     ]
     says = f"They are not {said.word}: {'; '.join(told)}."
     meant = min(PROPERTIES, key=lambda w: max(sizes[w]))
-    if max(sizes[meant]) > _FITS * own:
+    if min(sizes[meant]) > CLOSE or max(sizes[meant]) > _FITS * own:
         return _finding(paper, said.key, Verdict.WRONG, said.quote, says)
     names = [name for name, _ in said.of]
     off = [

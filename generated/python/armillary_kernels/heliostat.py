@@ -562,15 +562,15 @@ def drive(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimation=None)
     blind = Q_square < 0.0
     t5 = call.select(blind, 0.0, Q_square)
     Q = xp.sqrt(t5)
-    t6 = call.select(on_axis, 0.0, ((W * m_I_x) - (Q * m_I_y)))
-    t7 = call.select(on_axis, 1.0, ((Q * m_I_x) + (W * m_I_y)))
-    alpha_drive = xp.atan2(t6, t7)
+    alpha_y = call.select(on_axis, 0.0, ((W * m_I_x) - (Q * m_I_y)))
+    alpha_x = call.select(on_axis, 1.0, ((Q * m_I_x) + (W * m_I_y)))
+    alpha_drive = xp.atan2(alpha_y, alpha_x)
     no_direction = t2 < 1.0e-12
-    t8 = call.select(no_direction, 0.0, m_I_z)
-    t9 = call.select(no_direction, 1.0, Q)
-    beta_drive = xp.atan2(t8, t9)
-    t10 = (1.0e-12 * (t4 * t2)) < Q_square
-    steep = xp.logical_not(t10)
+    beta_y = call.select(no_direction, 0.0, m_I_z)
+    beta_x = call.select(no_direction, 1.0, Q)
+    beta_drive = xp.atan2(beta_y, beta_x)
+    t6 = (1.0e-12 * (t4 * t2)) < Q_square
+    steep = xp.logical_not(t6)
     call.case(2, steep)  # SINGULAR
     call.case(-3, no_direction)  # UNREACHABLE
     call.case(-3, blind)  # UNREACHABLE
@@ -644,15 +644,15 @@ def drive_back(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimation=
     blind = Q_square < 0.0
     t5 = call.select(blind, 0.0, Q_square)
     Q = xp.sqrt(t5)
-    t6 = call.select(on_axis, 0.0, ((W * m_I_x) + (Q * m_I_y)))
-    t7 = call.select(on_axis, 1.0, ((W * m_I_y) - (Q * m_I_x)))
-    alpha_back = xp.atan2(t6, t7)
+    alpha_y_back = call.select(on_axis, 0.0, ((W * m_I_x) + (Q * m_I_y)))
+    alpha_x_back = call.select(on_axis, 1.0, ((W * m_I_y) - (Q * m_I_x)))
+    alpha_back = xp.atan2(alpha_y_back, alpha_x_back)
     no_direction = t2 < 1.0e-12
-    t8 = call.select(no_direction, 0.0, m_I_z)
-    t9 = call.select(no_direction, 1.0, (-Q))
-    beta_back = xp.atan2(t8, t9)
-    t10 = (1.0e-12 * (t4 * t2)) < Q_square
-    steep = xp.logical_not(t10)
+    beta_y_back = call.select(no_direction, 0.0, m_I_z)
+    beta_x_back = call.select(no_direction, 1.0, (-Q))
+    beta_back = xp.atan2(beta_y_back, beta_x_back)
+    t6 = (1.0e-12 * (t4 * t2)) < Q_square
+    steep = xp.logical_not(t6)
     call.case(2, steep)  # SINGULAR
     call.case(-3, no_direction)  # UNREACHABLE
     call.case(-3, blind)  # UNREACHABLE
@@ -727,20 +727,20 @@ def drive_nearest(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimati
     blind = Q_square < 0.0
     t5 = call.select(blind, 0.0, Q_square)
     Q = xp.sqrt(t5)
-    t6 = call.select(on_axis, 0.0, ((W * m_I_x) - (Q * m_I_y)))
-    t7 = call.select(on_axis, 1.0, ((Q * m_I_x) + (W * m_I_y)))
-    alpha_drive = xp.atan2(t6, t7)
+    alpha_y = call.select(on_axis, 0.0, ((W * m_I_x) - (Q * m_I_y)))
+    alpha_x = call.select(on_axis, 1.0, ((Q * m_I_x) + (W * m_I_y)))
+    alpha_drive = xp.atan2(alpha_y, alpha_x)
     no_direction = t2 < 1.0e-12
-    t8 = call.select(no_direction, 0.0, m_I_z)
-    t9 = call.select(no_direction, 1.0, Q)
-    beta_drive = xp.atan2(t8, t9)
-    t10 = (1.0e-12 * (t4 * t2)) < Q_square
-    steep = xp.logical_not(t10)
-    t11 = xp.logical_not(blind)
-    t12 = xp.logical_and(steep, t11)
+    beta_y = call.select(no_direction, 0.0, m_I_z)
+    beta_x = call.select(no_direction, 1.0, Q)
+    beta_drive = xp.atan2(beta_y, beta_x)
+    t6 = (1.0e-12 * (t4 * t2)) < Q_square
+    steep = xp.logical_not(t6)
+    t7 = xp.logical_not(blind)
+    t8 = xp.logical_and(steep, t7)
     call.case(1, blind)  # CLAMPED
     call.case(2, on_axis)  # SINGULAR
-    call.case(2, t12)  # SINGULAR
+    call.case(2, t8)  # SINGULAR
     call.case(-3, no_direction)  # UNREACHABLE
     return DriveNearestResult(
         alpha=call.array((), (alpha_drive,)),
@@ -809,35 +809,35 @@ def track(*, latitude, declination, hour_angle, b, theta, psi, chi, alpha_0=None
     sin_theta = xp.sin(theta)
     cos_theta = xp.cos(theta)
     t2 = (cos_theta * m_sun_z) + (sin_theta * m_sun_y)
-    t3 = (sin_theta * m_sun_z) - (cos_theta * m_sun_y)
+    m_I_sun_x = (sin_theta * m_sun_z) - (cos_theta * m_sun_y)
     sin_psi = xp.sin(psi)
     cos_psi = xp.cos(psi)
-    t4 = (cos_psi * m_sun_x) - (sin_psi * t2)
-    t5 = (sin_psi * m_sun_x) + (cos_psi * t2)
-    t6 = (t3 * t3) + (t4 * t4)
-    t7 = t6 + (t5 * t5)
-    t8 = (1.0e-12 * t7) < t6
-    t9 = xp.logical_not(t8)
+    m_I_sun_y = (cos_psi * m_sun_x) - (sin_psi * t2)
+    m_I_sun_z = (sin_psi * m_sun_x) + (cos_psi * t2)
+    across_sun = (m_I_sun_x * m_I_sun_x) + (m_I_sun_y * m_I_sun_y)
+    t3 = across_sun + (m_I_sun_z * m_I_sun_z)
+    t4 = (1.0e-12 * t3) < across_sun
+    on_axis_sun = xp.logical_not(t4)
     sin_chi = xp.sin(chi)
-    t10 = sin_chi * t5
+    W_sun = sin_chi * m_I_sun_z
     cos_chi = xp.cos(chi)
-    t11 = cos_chi * cos_chi
-    t12 = (t11 * t6) - (t10 * t10)
-    t13 = t12 < 0.0
-    t14 = call.select(t13, 0.0, t12)
-    t15 = xp.sqrt(t14)
-    t16 = call.select(t9, 0.0, ((t10 * t3) - (t15 * t4)))
-    t17 = call.select(t9, 1.0, ((t15 * t3) + (t10 * t4)))
-    alpha_track = xp.atan2(t16, t17)
-    t18 = t7 < 1.0e-12
-    t19 = call.select(t18, 0.0, t5)
-    t20 = call.select(t18, 1.0, t15)
-    beta_track = xp.atan2(t19, t20)
-    t21 = (1.0e-12 * (t11 * t7)) < t12
-    t22 = xp.logical_not(t21)
-    call.case(2, t22)  # SINGULAR
-    call.case(-3, t18)  # UNREACHABLE
-    call.case(-3, t13)  # UNREACHABLE
+    t5 = cos_chi * cos_chi
+    Q_square_sun = (t5 * across_sun) - (W_sun * W_sun)
+    blind_sun = Q_square_sun < 0.0
+    t6 = call.select(blind_sun, 0.0, Q_square_sun)
+    Q_sun = xp.sqrt(t6)
+    alpha_y_sun = call.select(on_axis_sun, 0.0, ((W_sun * m_I_sun_x) - (Q_sun * m_I_sun_y)))
+    alpha_x_sun = call.select(on_axis_sun, 1.0, ((Q_sun * m_I_sun_x) + (W_sun * m_I_sun_y)))
+    alpha_track = xp.atan2(alpha_y_sun, alpha_x_sun)
+    no_direction_sun = t3 < 1.0e-12
+    beta_y_sun = call.select(no_direction_sun, 0.0, m_I_sun_z)
+    beta_x_sun = call.select(no_direction_sun, 1.0, Q_sun)
+    beta_track = xp.atan2(beta_y_sun, beta_x_sun)
+    t7 = (1.0e-12 * (t5 * t3)) < Q_square_sun
+    steep_sun = xp.logical_not(t7)
+    call.case(2, steep_sun)  # SINGULAR
+    call.case(-3, no_direction_sun)  # UNREACHABLE
+    call.case(-3, blind_sun)  # UNREACHABLE
     return TrackResult(
         alpha=call.array((), (alpha_track,)),
         beta=call.array((), (beta_track,)),
@@ -915,37 +915,35 @@ def drive_rates(*, c, c_dot, b, theta, psi, chi, alpha_0=None, beta_0=None, coll
     blind = Q_square < 0.0
     t5 = call.select(blind, 0.0, Q_square)
     Q = xp.sqrt(t5)
-    t6 = call.select(on_axis, 0.0, ((W * m_I_x) - (Q * m_I_y)))
-    t7 = (Q * m_I_x) + (W * m_I_y)
-    t8 = call.select(on_axis, 1.0, t7)
-    alpha_drive = xp.atan2(t6, t8)
+    alpha_y = call.select(on_axis, 0.0, ((W * m_I_x) - (Q * m_I_y)))
+    alpha_x = call.select(on_axis, 1.0, ((Q * m_I_x) + (W * m_I_y)))
+    alpha_drive = xp.atan2(alpha_y, alpha_x)
     no_direction = t2 < 1.0e-12
-    t9 = call.select(no_direction, 0.0, m_I_z)
-    t10 = call.select(no_direction, 1.0, Q)
-    beta_drive = xp.atan2(t9, t10)
-    t11 = call.select(on_axis, cos_chi, t7)
-    t12 = call.select(on_axis, 1.0, across)
-    inverse_across = 1.0 / (cos_chi * t12)
-    cos_alpha = t11 * inverse_across
-    t13 = (cos_theta * c_dot_z) + (sin_theta * c_dot_y)
-    t14 = (sin_theta * c_dot_z) - (cos_theta * c_dot_y)
-    t15 = (cos_psi * c_dot_x) - (sin_psi * t13)
-    t16 = (sin_psi * c_dot_x) + (cos_psi * t13)
-    sin_alpha = t6 * inverse_across
-    c_dot_cradle_x = (cos_alpha * t14) - (sin_alpha * t15)
-    t17 = (sin_alpha * t14) + (cos_alpha * t15)
-    c_dot_cradle_y = (cos_chi * t17) - (sin_chi * t16)
-    c_dot_cradle_z = (sin_chi * t17) + (cos_chi * t16)
-    t18 = (1.0e-12 * (t4 * t2)) < Q_square
-    steep = xp.logical_not(t18)
-    t19 = call.select(steep, 0.0, Q)
-    t20 = call.select(steep, 1.0, Q_square)
-    inverse_Q = t19 / t20
-    t21 = c_dot_cradle_y * inverse_Q
-    t22 = call.select(no_direction, 1.0, t2)
-    inverse_size = 1.0 / (cos_chi * t22)
+    beta_y = call.select(no_direction, 0.0, m_I_z)
+    beta_x = call.select(no_direction, 1.0, Q)
+    beta_drive = xp.atan2(beta_y, beta_x)
+    t6 = call.select(on_axis, 1.0, (cos_chi * across))
+    inverse_across = 1.0 / t6
+    cos_alpha = alpha_x * inverse_across
+    t7 = (cos_theta * c_dot_z) + (sin_theta * c_dot_y)
+    t8 = (sin_theta * c_dot_z) - (cos_theta * c_dot_y)
+    t9 = (cos_psi * c_dot_x) - (sin_psi * t7)
+    t10 = (sin_psi * c_dot_x) + (cos_psi * t7)
+    sin_alpha = alpha_y * inverse_across
+    c_dot_cradle_x = (cos_alpha * t8) - (sin_alpha * t9)
+    t11 = (sin_alpha * t8) + (cos_alpha * t9)
+    c_dot_cradle_y = (cos_chi * t11) - (sin_chi * t10)
+    c_dot_cradle_z = (sin_chi * t11) + (cos_chi * t10)
+    t12 = (1.0e-12 * (t4 * t2)) < Q_square
+    steep = xp.logical_not(t12)
+    t13 = call.select(steep, 0.0, Q)
+    t14 = call.select(steep, 1.0, Q_square)
+    inverse_Q = t13 / t14
+    t15 = c_dot_cradle_y * inverse_Q
+    t16 = call.select(no_direction, 1.0, t2)
+    inverse_size = 1.0 / (cos_chi * t16)
     beta_dot = (
-        (((Q * c_dot_cradle_z) - (m_I_z * c_dot_cradle_x)) * inverse_size) - (sin_chi * t21)
+        (((Q * c_dot_cradle_z) - (m_I_z * c_dot_cradle_x)) * inverse_size) - (sin_chi * t15)
     )
     call.case(2, steep)  # SINGULAR
     call.case(-3, no_direction)  # UNREACHABLE
@@ -953,7 +951,7 @@ def drive_rates(*, c, c_dot, b, theta, psi, chi, alpha_0=None, beta_0=None, coll
     return DriveRatesResult(
         alpha=call.array((), (alpha_drive,)),
         beta=call.array((), (beta_drive,)),
-        alpha_dot=call.array((), (-t21,)),
+        alpha_dot=call.array((), (-t15,)),
         beta_dot=call.array((), (beta_dot,)),
         status=call.status,
     )
@@ -1027,17 +1025,17 @@ def drive_sensitivity(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, colli
     tan_beta = m_I_z * inverse_Q
     t8 = (1.0e-12 * t3) < across
     on_axis = xp.logical_not(t8)
-    t9 = call.select(on_axis, 0.0, ((W * m_I_x) - (Q * m_I_y)))
-    t10 = call.select(on_axis, 1.0, across)
-    inverse_across = 1.0 / (cos_chi * t10)
-    sin_alpha = t9 * inverse_across
-    t11 = call.select(on_axis, cos_chi, ((Q * m_I_x) + (W * m_I_y)))
-    cos_alpha = t11 * inverse_across
-    t12 = cos_alpha * cos_psi
-    t13 = 1.0 / cos_chi
-    t14 = ((tan_beta * (sin_alpha * cos_psi)) + ((sin_chi * t12) + (cos_chi * sin_psi))) * t13
-    J_12 = ((tan_beta * cos_alpha) - (sin_chi * sin_alpha)) * t13
-    J_13 = tan_beta * t13
+    alpha_y = call.select(on_axis, 0.0, ((W * m_I_x) - (Q * m_I_y)))
+    t9 = call.select(on_axis, 1.0, (cos_chi * across))
+    inverse_across = 1.0 / t9
+    sin_alpha = alpha_y * inverse_across
+    alpha_x = call.select(on_axis, 1.0, ((Q * m_I_x) + (W * m_I_y)))
+    cos_alpha = alpha_x * inverse_across
+    t10 = cos_alpha * cos_psi
+    t11 = 1.0 / cos_chi
+    t12 = ((tan_beta * (sin_alpha * cos_psi)) + ((sin_chi * t10) + (cos_chi * sin_psi))) * t11
+    J_12 = ((tan_beta * cos_alpha) - (sin_chi * sin_alpha)) * t11
+    J_13 = tan_beta * t11
     J_22 = (sin_chi * J_12) - (cos_chi * sin_alpha)
     J_23 = sin_chi * J_13
     no_direction = t3 < 1.0e-12
@@ -1045,7 +1043,7 @@ def drive_sensitivity(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, colli
     call.case(-3, no_direction)  # UNREACHABLE
     call.case(-3, blind)  # UNREACHABLE
     return DriveSensitivityResult(
-        J=call.array((2, 3), (-t14, J_12, J_13, -((sin_chi * t14) + ((cos_chi * t12) - (sin_chi *
+        J=call.array((2, 3), (-t12, J_12, J_13, -((sin_chi * t12) + ((cos_chi * t10) - (sin_chi *
             sin_psi))), J_22, J_23)),
         status=call.status,
     )
@@ -1122,31 +1120,31 @@ def drive_response(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimat
     inverse_Q = t6 / t7
     t8 = (1.0e-12 * t3) < across
     on_axis = xp.logical_not(t8)
-    t9 = call.select(on_axis, 0.0, ((W * m_I_x) - (Q * m_I_y)))
-    t10 = call.select(on_axis, 1.0, across)
-    inverse_across = 1.0 / (cos_chi * t10)
-    sin_alpha = t9 * inverse_across
+    alpha_y = call.select(on_axis, 0.0, ((W * m_I_x) - (Q * m_I_y)))
+    t9 = call.select(on_axis, 1.0, (cos_chi * across))
+    inverse_across = 1.0 / t9
+    sin_alpha = alpha_y * inverse_across
     across_axis_x = cos_chi * sin_alpha
-    t11 = call.select(on_axis, cos_chi, ((Q * m_I_x) + (W * m_I_y)))
-    cos_alpha = t11 * inverse_across
+    alpha_x = call.select(on_axis, 1.0, ((Q * m_I_x) + (W * m_I_y)))
+    cos_alpha = alpha_x * inverse_across
     across_axis_y = cos_chi * cos_alpha
-    t12 = inverse_Q * across_axis_x
-    t13 = inverse_Q * across_axis_y
-    t14 = inverse_Q * sin_chi
-    alpha_by_m_x = (sin_psi * t14) - (cos_psi * t13)
-    t15 = (sin_psi * t13) + (cos_psi * t14)
-    alpha_by_m_z = (cos_theta * t15) - (sin_theta * t12)
-    alpha_by_m_y = (sin_theta * t15) + (cos_theta * t12)
+    t10 = inverse_Q * across_axis_x
+    t11 = inverse_Q * across_axis_y
+    t12 = inverse_Q * sin_chi
+    alpha_by_m_x = (sin_psi * t12) - (cos_psi * t11)
+    t13 = (sin_psi * t11) + (cos_psi * t12)
+    alpha_by_m_z = (cos_theta * t13) - (sin_theta * t10)
+    alpha_by_m_y = (sin_theta * t13) + (cos_theta * t10)
     no_direction = t3 < 1.0e-12
-    t16 = call.select(no_direction, 1.0, t3)
-    inverse_size = 1.0 / (cos_chi * t16)
-    t17 = cos_chi * (inverse_size * ((m_I_y * sin_chi) + (m_I_z * across_axis_y)))
+    t14 = call.select(no_direction, 1.0, t3)
+    inverse_size = 1.0 / (cos_chi * t14)
+    t15 = cos_chi * (inverse_size * ((m_I_y * sin_chi) + (m_I_z * across_axis_y)))
     upward_y = cos_chi * (inverse_size * ((m_I_z * across_axis_x) + (m_I_x * sin_chi)))
     upward_z = cos_chi * (inverse_size * ((m_I_x * across_axis_y) - (m_I_y * across_axis_x)))
-    t18 = (cos_psi * upward_z) - (sin_psi * upward_y)
+    t16 = (cos_psi * upward_z) - (sin_psi * upward_y)
     beta_by_m_x = (sin_chi * alpha_by_m_x) + ((cos_psi * upward_y) + (sin_psi * upward_z))
-    beta_by_m_y = (sin_chi * alpha_by_m_y) + ((sin_theta * t18) + (cos_theta * t17))
-    beta_by_m_z = (sin_chi * alpha_by_m_z) + ((cos_theta * t18) - (sin_theta * t17))
+    beta_by_m_y = (sin_chi * alpha_by_m_y) + ((sin_theta * t16) + (cos_theta * t15))
+    beta_by_m_z = (sin_chi * alpha_by_m_z) + ((cos_theta * t16) - (sin_theta * t15))
     call.case(2, steep)  # SINGULAR
     call.case(-3, no_direction)  # UNREACHABLE
     call.case(-3, blind)  # UNREACHABLE
@@ -1171,7 +1169,7 @@ def drive_first_order(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, colli
     """Drive angles to first order in theta, psi and chi; alpha is not brought back into [-pi,
     pi].
 
-    53 flops (29 mul, 20 add, 3 div, 1 sqrt), 0 sin/cos, 2 atan2
+    24 flops (12 mul, 10 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2
 
     Args:
         c: unit vector to the sun, shape (..., 3)
@@ -1202,38 +1200,27 @@ def drive_first_order(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, colli
     m_x = b_x + c_x
     m_y = b_y + c_y
     m_z = b_z + c_z
-    t1 = m_z * m_z
-    t2 = (m_x * m_x) + (m_y * m_y)
-    t3 = t2 + t1
-    t4 = (1.0e-12 * t3) < t2
-    overhead = xp.logical_not(t4)
-    t5 = call.select(overhead, 0.0, (-m_x))
-    t6 = call.select(overhead, 1.0, (-m_y))
-    alpha_ideal = xp.atan2(t5, t6)
-    t7 = call.select(overhead, 0.0, m_x)
-    level = xp.sqrt((t6 * t6) + (t7 * t7))
-    t8 = level * t6
-    t9 = chi * m_z
-    t10 = psi * m_z
-    t11 = theta * m_z
-    t12 = t6 * t11
-    t13 = t7 * t10
-    t14 = (0.5 * ((t12 + t12) - (t13 + t13))) / level
-    t15 = (t9 * t6) - ((t14 * t7) - (level * t10))
-    t16 = level * t7
-    t17 = (t8 * t15) + (t16 * (((level * t11) + (t14 * t6)) + (t9 * t7)))
-    t18 = t17 / ((t8 * t8) + (t16 * t16))
-    t19 = call.select(overhead, 0.0, t18)
-    alpha_first = alpha_ideal + t19
-    opposed = t3 < 1.0e-12
-    t20 = call.select(opposed, 0.0, m_z)
-    t21 = call.select(overhead, 0.0, level)
-    t22 = call.select(opposed, 1.0, t21)
-    beta_ideal = xp.atan2(t20, t22)
-    t23 = (level * ((psi * t7) - (theta * t6))) - (m_z * t14)
-    t24 = t23 / ((level * level) + t1)
-    t25 = call.select(overhead, 0.0, t24)
-    beta_first = beta_ideal + t25
+    t1 = (m_x * m_x) + (m_y * m_y)
+    t2 = t1 + (m_z * m_z)
+    t3 = (1.0e-12 * t2) < t1
+    overhead = xp.logical_not(t3)
+    east_ideal = call.select(overhead, 0.0, m_x)
+    south_ideal = call.select(overhead, 1.0, (-m_y))
+    alpha_ideal = xp.atan2(-east_ideal, south_ideal)
+    level = xp.sqrt(t1)
+    t4 = call.select(overhead, 1.0, level)
+    t5 = 1.0 / t4
+    inverse_level = call.select(overhead, 0.0, t5)
+    tangent = m_z * inverse_level
+    t6 = m_x * inverse_level
+    t7 = m_y * inverse_level
+    lean_aside = (theta * t6) - (psi * t7)
+    alpha_first = alpha_ideal + (tangent * (chi + lean_aside))
+    opposed = t2 < 1.0e-12
+    level_ideal = call.select(opposed, 1.0, level)
+    beta_ideal = xp.atan2(m_z, level_ideal)
+    lean_to = (psi * t6) + (theta * t7)
+    beta_first = beta_ideal + lean_to
     call.case(2, overhead)  # SINGULAR
     call.case(-3, opposed)  # UNREACHABLE
     return DriveFirstOrderResult(
@@ -1255,7 +1242,7 @@ def drive_second_order(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, coll
     """Drive angles to second order in theta, psi and chi; alpha is not brought back into [-pi,
     pi].
 
-    131 flops (80 mul, 47 add, 3 div, 1 sqrt), 0 sin/cos, 2 atan2
+    41 flops (22 mul, 17 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2
 
     Args:
         c: unit vector to the sun, shape (..., 3)
@@ -1286,63 +1273,32 @@ def drive_second_order(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, coll
     m_x = b_x + c_x
     m_y = b_y + c_y
     m_z = b_z + c_z
-    t1 = m_z * m_z
-    t2 = (m_x * m_x) + (m_y * m_y)
-    t3 = t2 + t1
-    t4 = (1.0e-12 * t3) < t2
-    overhead = xp.logical_not(t4)
-    t5 = call.select(overhead, 0.0, (-m_x))
-    t6 = call.select(overhead, 1.0, (-m_y))
-    alpha_ideal = xp.atan2(t5, t6)
-    t7 = call.select(overhead, 0.0, m_x)
-    t8 = (t6 * t6) + (t7 * t7)
-    level = xp.sqrt(t8)
-    t9 = level * t6
-    t10 = chi * m_z
-    t11 = psi * m_z
-    t12 = theta * m_z
-    t13 = t6 * t12
-    t14 = t7 * t11
-    t15 = 1.0 / level
-    t16 = (0.5 * ((t13 + t13) - (t14 + t14))) * t15
-    t17 = (t10 * t6) - ((t16 * t7) - (level * t11))
-    t18 = level * t7
-    t19 = ((level * t12) + (t16 * t6)) + (t10 * t7)
-    t20 = 1.0 / ((t9 * t9) + (t18 * t18))
-    t21 = ((t9 * t17) + (t18 * t19)) * t20
-    t22 = call.select(overhead, 0.0, t21)
-    t23 = theta * t6
-    t24 = (psi * t7) - t23
-    t25 = chi * t24
-    t26 = (0.5 * psi) * psi
-    t27 = (psi * t23) - (t26 * t7)
-    t28 = (0.5 * theta) * theta
-    t29 = t28 * t6
-    t30 = t6 * t29
-    t31 = t7 * t27
-    t32 = (((t12 * t12) - t30) - t30) + ((t31 + (t11 * t11)) + t31)
-    t33 = (0.5 * chi) * chi
-    t34 = (t32 - ((t33 + t33) * t8)) - (t10 * t10)
-    t35 = (0.5 * (t34 - (t16 * t16))) * t15
-    t36 = ((t10 * t12) + (t25 * t6)) - (((level * t27) - (t16 * t11)) + (t35 * t7))
-    t37 = (((t16 * t12) - (level * t29)) + (t35 * t6)) + ((t25 * t7) - (t10 * t11))
-    t38 = (2.0 * ((t9 * t36) + (t18 * t37))) - ((2.0 * ((t9 * t19) - (t18 * t17))) * t21)
-    t39 = call.select(overhead, 0.0, (0.5 * (t38 * t20)))
-    alpha_second = (alpha_ideal + t22) + t39
-    opposed = t3 < 1.0e-12
-    t40 = call.select(opposed, 0.0, m_z)
-    t41 = call.select(overhead, 0.0, level)
-    t42 = call.select(opposed, 1.0, t41)
-    beta_ideal = xp.atan2(t40, t42)
-    t43 = 1.0 / ((level * level) + t1)
-    t44 = ((level * t24) - (m_z * t16)) * t43
-    t45 = call.select(overhead, 0.0, t44)
-    t46 = (
-        (2.0 * ((level * (m_z * (t28 + t26))) + (m_z * t35))) + ((2.0 * ((level * t16) + (m_z *
-        t24))) * t44)
-    )
-    t47 = call.select(overhead, 0.0, (-(0.5 * (t46 * t43))))
-    beta_second = (beta_ideal + t45) + t47
+    t1 = (m_x * m_x) + (m_y * m_y)
+    t2 = t1 + (m_z * m_z)
+    t3 = (1.0e-12 * t2) < t1
+    overhead = xp.logical_not(t3)
+    east_ideal = call.select(overhead, 0.0, m_x)
+    south_ideal = call.select(overhead, 1.0, (-m_y))
+    alpha_ideal = xp.atan2(-east_ideal, south_ideal)
+    level = xp.sqrt(t1)
+    t4 = call.select(overhead, 1.0, level)
+    t5 = 1.0 / t4
+    inverse_level = call.select(overhead, 0.0, t5)
+    tangent = m_z * inverse_level
+    t6 = m_x * inverse_level
+    t7 = m_y * inverse_level
+    lean_aside = (theta * t6) - (psi * t7)
+    alpha_first = alpha_ideal + (tangent * (chi + lean_aside))
+    lean_to = (psi * t6) + (theta * t7)
+    t8 = tangent * tangent
+    t9 = (lean_to * ((chi * (1.0 + t8)) + (lean_aside * (t8 + 0.5)))) - (0.5 * (theta * psi))
+    t10 = call.select(overhead, 0.0, t9)
+    alpha_second = alpha_first + t10
+    opposed = t2 < 1.0e-12
+    level_ideal = call.select(opposed, 1.0, level)
+    beta_ideal = xp.atan2(m_z, level_ideal)
+    beta_first = beta_ideal + lean_to
+    beta_second = beta_first + (0.5 * (tangent * ((chi * chi) - (lean_aside * lean_aside))))
     call.case(2, overhead)  # SINGULAR
     call.case(-3, opposed)  # UNREACHABLE
     return DriveSecondOrderResult(
@@ -1363,7 +1319,7 @@ class ErrorAnglesResult(NamedTuple):
 def error_angles(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimation=None):
     """Drive angles for ideal axes minus those for the real ones.
 
-    57 flops (36 mul, 19 add, 0 div, 2 sqrt), 6 sin/cos, 2 atan2
+    54 flops (34 mul, 18 add, 0 div, 2 sqrt), 6 sin/cos, 2 atan2
 
     Args:
         c: unit vector to the sun, shape (..., 3)
@@ -1399,43 +1355,45 @@ def error_angles(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimatio
     t2 = t1 + (m_z * m_z)
     t3 = (1.0e-12 * t2) < t1
     overhead = xp.logical_not(t3)
-    t4 = call.select(overhead, 0.0, (-m_x))
+    east_ideal = call.select(overhead, 0.0, m_x)
     sin_theta = xp.sin(theta)
     cos_theta = xp.cos(theta)
-    t5 = (cos_theta * m_z) + (sin_theta * m_y)
+    t4 = (cos_theta * m_z) + (sin_theta * m_y)
     m_I_x = (sin_theta * m_z) - (cos_theta * m_y)
     sin_psi = xp.sin(psi)
     cos_psi = xp.cos(psi)
-    m_I_y = (cos_psi * m_x) - (sin_psi * t5)
-    m_I_z = (sin_psi * m_x) + (cos_psi * t5)
+    m_I_y = (cos_psi * m_x) - (sin_psi * t4)
+    m_I_z = (sin_psi * m_x) + (cos_psi * t4)
     across = (m_I_x * m_I_x) + (m_I_y * m_I_y)
-    t6 = across + (m_I_z * m_I_z)
-    t7 = (1.0e-12 * t6) < across
-    on_axis = xp.logical_not(t7)
+    t5 = across + (m_I_z * m_I_z)
+    t6 = (1.0e-12 * t5) < across
+    on_axis = xp.logical_not(t6)
     cos_chi = xp.cos(chi)
-    t8 = cos_chi * cos_chi
+    t7 = cos_chi * cos_chi
     sin_chi = xp.sin(chi)
     W = sin_chi * m_I_z
-    Q_square = (t8 * across) - (W * W)
+    Q_square = (t7 * across) - (W * W)
     blind = Q_square < 0.0
-    t9 = call.select(blind, 0.0, Q_square)
-    Q = xp.sqrt(t9)
-    t10 = call.select(on_axis, 1.0, ((Q * m_I_x) + (W * m_I_y)))
-    t11 = call.select(overhead, 1.0, (-m_y))
-    t12 = call.select(on_axis, 0.0, ((W * m_I_x) - (Q * m_I_y)))
-    Delta_A = xp.atan2((t4 * t10) - (t11 * t12), (t11 * t10) + (t4 * t12))
+    t8 = call.select(blind, 0.0, Q_square)
+    Q = xp.sqrt(t8)
+    alpha_x = call.select(on_axis, 1.0, ((Q * m_I_x) + (W * m_I_y)))
+    south_ideal = call.select(overhead, 1.0, (-m_y))
+    alpha_y = call.select(on_axis, 0.0, ((W * m_I_x) - (Q * m_I_y)))
+    Delta_A = (
+        xp.atan2(-((east_ideal * alpha_x) + (south_ideal * alpha_y)), (south_ideal * alpha_x) -
+        (east_ideal * alpha_y))
+    )
+    no_direction = t5 < 1.0e-12
+    beta_x = call.select(no_direction, 1.0, Q)
     opposed = t2 < 1.0e-12
-    t13 = call.select(opposed, 0.0, m_z)
-    no_direction = t6 < 1.0e-12
-    t14 = call.select(no_direction, 1.0, Q)
-    t15 = call.select(overhead, 0.0, m_x)
-    level = xp.sqrt((t11 * t11) + (t15 * t15))
-    t16 = call.select(overhead, 0.0, level)
-    t17 = call.select(opposed, 1.0, t16)
-    t18 = call.select(no_direction, 0.0, m_I_z)
-    Delta_h = xp.atan2((t13 * t14) - (t17 * t18), (t17 * t14) + (t13 * t18))
-    t19 = (1.0e-12 * (t8 * t6)) < Q_square
-    steep = xp.logical_not(t19)
+    level = xp.sqrt(t1)
+    level_ideal = call.select(opposed, 1.0, level)
+    beta_y = call.select(no_direction, 0.0, m_I_z)
+    Delta_h = (
+        xp.atan2((m_z * beta_x) - (level_ideal * beta_y), (level_ideal * beta_x) + (m_z * beta_y))
+    )
+    t9 = (1.0e-12 * (t7 * t5)) < Q_square
+    steep = xp.logical_not(t9)
     call.case(2, steep)  # SINGULAR
     call.case(-3, no_direction)  # UNREACHABLE
     call.case(-3, blind)  # UNREACHABLE
@@ -1518,7 +1476,7 @@ def encoder(*, alpha, beta, chi, alpha_0, beta_0, collimation, theta=None, psi=N
     """What the encoders read when the true normal points where alpha and beta would point the
     mirror's first axis.
 
-    39 flops (26 mul, 12 add, 0 div, 1 sqrt), 9 sin/cos, 2 atan2
+    35 flops (23 mul, 11 add, 0 div, 1 sqrt), 9 sin/cos, 2 atan2
 
     Args:
         alpha: azimuth drive angle: from south to west, clockwise from above, rad
@@ -1559,32 +1517,32 @@ def encoder(*, alpha, beta, chi, alpha_0, beta_0, collimation, theta=None, psi=N
     t4 = xp.cos(t2)
     u_x = (t4 * cos_beta) + (t3 * t1)
     u_y = (t4 * t1) - (t3 * cos_beta)
-    t5 = (u_x * u_x) + (u_y * u_y)
-    t6 = t5 + (u_z * u_z)
-    t7 = (1.0e-12 * t6) < t5
-    t8 = xp.logical_not(t7)
+    across_u = (u_x * u_x) + (u_y * u_y)
+    t5 = 1.0e-12 < across_u
+    on_axis_u = xp.logical_not(t5)
     sin_collimation = xp.sin(collimation)
-    t9 = sin_collimation + (sin_chi * u_z)
-    t10 = cos_beta < 0.0
-    t11 = cos_chi * cos_chi
-    t12 = (t11 * t5) - (t9 * t9)
-    t13 = t12 < 0.0
-    t14 = call.select(t13, 0.0, t12)
-    t15 = xp.sqrt(t14)
-    Q_u = call.select(t10, (-t15), t15)
-    t16 = call.select(t8, 0.0, ((t9 * u_x) - (Q_u * u_y)))
-    t17 = call.select(t8, 1.0, ((Q_u * u_x) + (t9 * u_y)))
-    alpha_encoder = xp.atan2(t16, t17)
-    t18 = (sin_chi * t9) + (t11 * u_z)
+    W_u = sin_collimation + (sin_chi * u_z)
+    t6 = cos_beta < 0.0
+    t7 = cos_chi * cos_chi
+    Q_square_u = (t7 * across_u) - (W_u * W_u)
+    blind_u = Q_square_u < 0.0
+    t8 = call.select(blind_u, 0.0, Q_square_u)
+    Q_u = xp.sqrt(t8)
+    Q_reading = call.select(t6, (-Q_u), Q_u)
+    alpha_y_u = call.select(on_axis_u, 0.0, ((W_u * u_x) - (Q_reading * u_y)))
+    alpha_x_u = call.select(on_axis_u, 1.0, ((Q_reading * u_x) + (W_u * u_y)))
+    alpha_encoder = xp.atan2(alpha_y_u, alpha_x_u)
+    beta_y_u = (sin_chi * W_u) + (t7 * u_z)
     cos_beta_0 = xp.cos(beta_0)
     sin_beta_0 = xp.sin(beta_0)
     beta_encoder = (
-        xp.atan2((t18 * cos_beta_0) + (Q_u * sin_beta_0), (Q_u * cos_beta_0) - (t18 * sin_beta_0))
+        xp.atan2((beta_y_u * cos_beta_0) + (Q_reading * sin_beta_0), (Q_reading * cos_beta_0) -
+        (beta_y_u * sin_beta_0))
     )
-    t19 = (1.0e-12 * (t11 * t6)) < t12
-    t20 = xp.logical_not(t19)
-    call.case(2, t20)  # SINGULAR
-    call.case(-3, t13)  # UNREACHABLE
+    t9 = (1.0e-12 * t7) < Q_square_u
+    steep_u = xp.logical_not(t9)
+    call.case(2, steep_u)  # SINGULAR
+    call.case(-3, blind_u)  # UNREACHABLE
     return EncoderResult(
         alpha_reading=call.array((), (alpha_encoder,)),
         beta_reading=call.array((), (beta_encoder,)),
@@ -1604,7 +1562,7 @@ def encoder_inverse(*, alpha_reading, beta_reading, chi, alpha_0, beta_0, collim
     psi=None):
     """The drive angles that the readings stand for.
 
-    36 flops (24 mul, 11 add, 0 div, 1 sqrt), 8 sin/cos, 2 atan2
+    32 flops (21 mul, 10 add, 0 div, 1 sqrt), 8 sin/cos, 2 atan2
 
     Args:
         alpha_reading: reading of the azimuth encoder, rad
@@ -1650,29 +1608,25 @@ def encoder_inverse(*, alpha_reading, beta_reading, chi, alpha_0, beta_0, collim
     t9 = xp.cos(t7)
     u_read_x = (t9 * t5) + (t8 * t6)
     u_read_y = (t9 * t6) - (t8 * t5)
-    t10 = (u_read_x * u_read_x) + (u_read_y * u_read_y)
-    t11 = t10 + (u_read_z * u_read_z)
-    t12 = (1.0e-12 * t11) < t10
-    t13 = xp.logical_not(t12)
-    t14 = sin_chi * u_read_z
-    t15 = t3 < 0.0
-    t16 = cos_chi * cos_chi
-    t17 = (t16 * t10) - (t14 * t14)
-    t18 = t17 < 0.0
-    t19 = call.select(t18, 0.0, t17)
-    t20 = xp.sqrt(t19)
-    t21 = call.select(t15, (-t20), t20)
-    t22 = call.select(t13, 0.0, ((t14 * u_read_x) - (t21 * u_read_y)))
-    t23 = call.select(t13, 1.0, ((t21 * u_read_x) + (t14 * u_read_y)))
-    alpha_decoded = xp.atan2(t22, t23)
-    t24 = t11 < 1.0e-12
-    t25 = call.select(t24, 0.0, u_read_z)
-    t26 = call.select(t24, 1.0, t21)
-    beta_decoded = xp.atan2(t25, t26)
-    t27 = (1.0e-12 * (t16 * t11)) < t17
-    t28 = xp.logical_not(t27)
-    call.case(2, t28)  # SINGULAR
-    call.case(-3, t18)  # UNREACHABLE
+    across_read = (u_read_x * u_read_x) + (u_read_y * u_read_y)
+    t10 = 1.0e-12 < across_read
+    on_axis_read = xp.logical_not(t10)
+    W_read = sin_chi * u_read_z
+    t11 = t3 < 0.0
+    t12 = cos_chi * cos_chi
+    Q_square_read = (t12 * across_read) - (W_read * W_read)
+    blind_read = Q_square_read < 0.0
+    t13 = call.select(blind_read, 0.0, Q_square_read)
+    Q_read = xp.sqrt(t13)
+    Q_decoded = call.select(t11, (-Q_read), Q_read)
+    alpha_y_read = call.select(on_axis_read, 0.0, ((W_read * u_read_x) - (Q_decoded * u_read_y)))
+    alpha_x_read = call.select(on_axis_read, 1.0, ((Q_decoded * u_read_x) + (W_read * u_read_y)))
+    alpha_decoded = xp.atan2(alpha_y_read, alpha_x_read)
+    beta_decoded = xp.atan2(u_read_z, Q_decoded)
+    t14 = (1.0e-12 * t12) < Q_square_read
+    steep_read = xp.logical_not(t14)
+    call.case(2, steep_read)  # SINGULAR
+    call.case(-3, blind_read)  # UNREACHABLE
     return EncoderInverseResult(
         alpha=call.array((), (alpha_decoded,)),
         beta=call.array((), (beta_decoded,)),

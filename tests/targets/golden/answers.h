@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_ANSWERS_ABI 0x7e7884d7UL
+#define ARMILLARY_ANSWERS_ABI 0x5ade91c3UL
 
 #ifdef __cplusplus
 extern "C" {

@@ -230,7 +230,9 @@ def test_what_holds_at_a_special_value_only(arm):
     )
     finding = only(arm)
     assert finding.verdict is Verdict.WRONG
-    assert finding.readings[0].whole.words == "holds only where u = 0"
+    assert finding.readings[0].whole.words == (
+        "holds only where u = 0, or where g = 90 deg, or where g = -90 deg"
+    )
 
 
 def test_what_holds_on_one_branch_only(arm):
@@ -324,3 +326,20 @@ def test_the_axes_of_a_product_are_those_of_the_chain(arm):
         "1", words="pose", claims=arm.R, printed=elementary(Z, arm.g) @ elementary(X, arm.u)
     )
     assert only(arm).verdict is Verdict.HOLDS
+
+
+def test_a_lost_factor_a_lost_term_and_a_number(arm):
+    g, u, a, b = arm.g, arm.u, arm.L_1, arm.L_2
+    arm.p.equation(
+        "1",
+        words="position",
+        claims=arm.M.position,
+        printed=vector(-sin(g) * b, cos(g) * b * cos(u), b * sin(u)),
+    )
+    arm.p.equation("2", words="angle", claims=sin(365 * g) * a, printed=sin(366 * g) * a)
+    first, second = audit(arm.p)
+    assert first.verdict is Verdict.MISPRINT
+    assert [e.repair and e.repair.words for e in first.readings[0].entries] == [
+        "sin(g) L_2 times cos(u)", None, "plus L_1 added",
+    ]  # fmt: skip
+    assert second.readings[0].entries[0].repair.words == "365 for 366"

@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_HELIOSTAT_ABI 0x51b0a350UL
+#define ARMILLARY_HELIOSTAT_ABI 0x4b795bbdUL
 
 #ifdef __cplusplus
 extern "C" {
@@ -370,7 +370,7 @@ int heliostat_drive_response_f32(
  * @brief Drive angles to first order in theta, psi and chi; alpha is not brought back into [-pi,
  *     pi].
  *
- * Cost: 53 flops (29 mul, 20 add, 3 div, 1 sqrt), 0 sin/cos, 2 atan2.
+ * Cost: 24 flops (12 mul, 10 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
  *     1e-3
@@ -392,7 +392,7 @@ int heliostat_drive_first_order_f32(
  * @brief Drive angles to second order in theta, psi and chi; alpha is not brought back into
  *     [-pi, pi].
  *
- * Cost: 131 flops (80 mul, 47 add, 3 div, 1 sqrt), 0 sin/cos, 2 atan2.
+ * Cost: 41 flops (22 mul, 17 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
  *     1e-3
@@ -413,7 +413,7 @@ int heliostat_drive_second_order_f32(
 /**
  * @brief Drive angles for ideal axes minus those for the real ones.
  *
- * Cost: 57 flops (36 mul, 19 add, 0 div, 2 sqrt), 6 sin/cos, 2 atan2.
+ * Cost: 54 flops (34 mul, 18 add, 0 div, 2 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
  *     1e-3
@@ -456,7 +456,7 @@ int heliostat_normal_errors_f32(
  * @brief What the encoders read when the true normal points where alpha and beta would point the
  *     mirror's first axis.
  *
- * Cost: 39 flops (26 mul, 12 add, 0 div, 1 sqrt), 9 sin/cos, 2 atan2.
+ * Cost: 35 flops (23 mul, 11 add, 0 div, 1 sqrt), 9 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: theta, psi
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -476,7 +476,7 @@ int heliostat_encoder_f32(
 /**
  * @brief The drive angles that the readings stand for.
  *
- * Cost: 36 flops (24 mul, 11 add, 0 div, 1 sqrt), 8 sin/cos, 2 atan2.
+ * Cost: 32 flops (21 mul, 10 add, 0 div, 1 sqrt), 8 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: theta, psi
  * @param[in] alpha_reading reading of the azimuth encoder, rad, refused outside [-1000, 1000],
  *     working range [-3.2, 3.2]
@@ -882,7 +882,7 @@ int heliostat_drive_response_f64(
  * @brief Drive angles to first order in theta, psi and chi; alpha is not brought back into [-pi,
  *     pi].
  *
- * Cost: 53 flops (29 mul, 20 add, 3 div, 1 sqrt), 0 sin/cos, 2 atan2.
+ * Cost: 24 flops (12 mul, 10 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
  *     1e-3
@@ -905,7 +905,7 @@ int heliostat_drive_first_order_f64(
  * @brief Drive angles to second order in theta, psi and chi; alpha is not brought back into
  *     [-pi, pi].
  *
- * Cost: 131 flops (80 mul, 47 add, 3 div, 1 sqrt), 0 sin/cos, 2 atan2.
+ * Cost: 41 flops (22 mul, 17 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
  *     1e-3
@@ -927,7 +927,7 @@ int heliostat_drive_second_order_f64(
 /**
  * @brief Drive angles for ideal axes minus those for the real ones.
  *
- * Cost: 57 flops (36 mul, 19 add, 0 div, 2 sqrt), 6 sin/cos, 2 atan2.
+ * Cost: 54 flops (34 mul, 18 add, 0 div, 2 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
  *     1e-3
@@ -970,7 +970,7 @@ int heliostat_normal_errors_f64(
  * @brief What the encoders read when the true normal points where alpha and beta would point the
  *     mirror's first axis.
  *
- * Cost: 39 flops (26 mul, 12 add, 0 div, 1 sqrt), 9 sin/cos, 2 atan2.
+ * Cost: 35 flops (23 mul, 11 add, 0 div, 1 sqrt), 9 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: theta, psi
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -990,7 +990,7 @@ int heliostat_encoder_f64(
 /**
  * @brief The drive angles that the readings stand for.
  *
- * Cost: 36 flops (24 mul, 11 add, 0 div, 1 sqrt), 8 sin/cos, 2 atan2.
+ * Cost: 32 flops (21 mul, 10 add, 0 div, 1 sqrt), 8 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: theta, psi
  * @param[in] alpha_reading reading of the azimuth encoder, rad, refused outside [-1000, 1000],
  *     working range [-3.2, 3.2]

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x51b0a350UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x4b795bbdUL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -82,15 +82,17 @@ int heliostat_drive_back_f32(
     const int blind = Q_square < 0.0f; /* heliostat-blind */
     const float t5 = blind ? 0.0f : Q_square;
     const float Q = sqrtf(t5); /* heliostat-Q */
-    const float t6 = on_axis ? 0.0f : ((W * m_I_x) + (Q * m_I_y));
-    const float t7 = on_axis ? 1.0f : ((W * m_I_y) - (Q * m_I_x));
-    const float alpha_back = atan2f(t6, t7); /* heliostat-alpha_back */
+    /* heliostat-alpha_y_back */
+    const float alpha_y_back = on_axis ? 0.0f : ((W * m_I_x) + (Q * m_I_y));
+    /* heliostat-alpha_x_back */
+    const float alpha_x_back = on_axis ? 1.0f : ((W * m_I_y) - (Q * m_I_x));
+    const float alpha_back = atan2f(alpha_y_back, alpha_x_back); /* heliostat-alpha_back */
     const int no_direction = t2 < 1.0e-12f; /* heliostat-no_direction */
-    const float t8 = no_direction ? 0.0f : m_I_z;
-    const float t9 = no_direction ? 1.0f : (-Q);
-    const float beta_back = atan2f(t8, t9); /* heliostat-beta_back */
-    const int t10 = (1.0e-12f * (t4 * t2)) < Q_square;
-    const int steep = !t10; /* heliostat-steep */
+    const float beta_y_back = no_direction ? 0.0f : m_I_z; /* heliostat-beta_y_back */
+    const float beta_x_back = no_direction ? 1.0f : (-Q); /* heliostat-beta_x_back */
+    const float beta_back = atan2f(beta_y_back, beta_x_back); /* heliostat-beta_back */
+    const int t6 = (1.0e-12f * (t4 * t2)) < Q_square;
+    const int steep = !t6; /* heliostat-steep */
     if (steep) {
       status = ARMILLARY_SINGULAR;
     }

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x51b0a350UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x4b795bbdUL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -85,15 +85,17 @@ int heliostat_drive_back_f64(
     const int blind = Q_square < 0.0; /* heliostat-blind */
     const double t5 = blind ? 0.0 : Q_square;
     const double Q = sqrt(t5); /* heliostat-Q */
-    const double t6 = on_axis ? 0.0 : ((W * m_I_x) + (Q * m_I_y));
-    const double t7 = on_axis ? 1.0 : ((W * m_I_y) - (Q * m_I_x));
-    const double alpha_back = atan2(t6, t7); /* heliostat-alpha_back */
+    /* heliostat-alpha_y_back */
+    const double alpha_y_back = on_axis ? 0.0 : ((W * m_I_x) + (Q * m_I_y));
+    /* heliostat-alpha_x_back */
+    const double alpha_x_back = on_axis ? 1.0 : ((W * m_I_y) - (Q * m_I_x));
+    const double alpha_back = atan2(alpha_y_back, alpha_x_back); /* heliostat-alpha_back */
     const int no_direction = t2 < 1.0e-12; /* heliostat-no_direction */
-    const double t8 = no_direction ? 0.0 : m_I_z;
-    const double t9 = no_direction ? 1.0 : (-Q);
-    const double beta_back = atan2(t8, t9); /* heliostat-beta_back */
-    const int t10 = (1.0e-12 * (t4 * t2)) < Q_square;
-    const int steep = !t10; /* heliostat-steep */
+    const double beta_y_back = no_direction ? 0.0 : m_I_z; /* heliostat-beta_y_back */
+    const double beta_x_back = no_direction ? 1.0 : (-Q); /* heliostat-beta_x_back */
+    const double beta_back = atan2(beta_y_back, beta_x_back); /* heliostat-beta_back */
+    const int t6 = (1.0e-12 * (t4 * t2)) < Q_square;
+    const int steep = !t6; /* heliostat-steep */
     if (steep) {
       status = ARMILLARY_SINGULAR;
     }

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x51b0a350UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x4b795bbdUL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -82,24 +82,24 @@ int heliostat_drive_nearest_f32(
     const int blind = Q_square < 0.0f; /* heliostat-blind */
     const float t5 = blind ? 0.0f : Q_square;
     const float Q = sqrtf(t5); /* heliostat-Q */
-    const float t6 = on_axis ? 0.0f : ((W * m_I_x) - (Q * m_I_y));
-    const float t7 = on_axis ? 1.0f : ((Q * m_I_x) + (W * m_I_y));
-    const float alpha_drive = atan2f(t6, t7); /* heliostat-alpha_drive */
+    const float alpha_y = on_axis ? 0.0f : ((W * m_I_x) - (Q * m_I_y)); /* heliostat-alpha_y */
+    const float alpha_x = on_axis ? 1.0f : ((Q * m_I_x) + (W * m_I_y)); /* heliostat-alpha_x */
+    const float alpha_drive = atan2f(alpha_y, alpha_x); /* heliostat-alpha_drive */
     const int no_direction = t2 < 1.0e-12f; /* heliostat-no_direction */
-    const float t8 = no_direction ? 0.0f : m_I_z;
-    const float t9 = no_direction ? 1.0f : Q;
-    const float beta_drive = atan2f(t8, t9); /* heliostat-beta_drive */
-    const int t10 = (1.0e-12f * (t4 * t2)) < Q_square;
-    const int steep = !t10; /* heliostat-steep */
-    const int t11 = !blind;
-    const int t12 = steep && t11;
+    const float beta_y = no_direction ? 0.0f : m_I_z; /* heliostat-beta_y */
+    const float beta_x = no_direction ? 1.0f : Q; /* heliostat-beta_x */
+    const float beta_drive = atan2f(beta_y, beta_x); /* heliostat-beta_drive */
+    const int t6 = (1.0e-12f * (t4 * t2)) < Q_square;
+    const int steep = !t6; /* heliostat-steep */
+    const int t7 = !blind;
+    const int t8 = steep && t7;
     if (blind) {
       status = ARMILLARY_CLAMPED;
     }
     if (on_axis) {
       status = ARMILLARY_SINGULAR;
     }
-    if (t12) {
+    if (t8) {
       status = ARMILLARY_SINGULAR;
     }
     if (no_direction) {

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x51b0a350UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x4b795bbdUL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -85,24 +85,24 @@ int heliostat_drive_nearest_f64(
     const int blind = Q_square < 0.0; /* heliostat-blind */
     const double t5 = blind ? 0.0 : Q_square;
     const double Q = sqrt(t5); /* heliostat-Q */
-    const double t6 = on_axis ? 0.0 : ((W * m_I_x) - (Q * m_I_y));
-    const double t7 = on_axis ? 1.0 : ((Q * m_I_x) + (W * m_I_y));
-    const double alpha_drive = atan2(t6, t7); /* heliostat-alpha_drive */
+    const double alpha_y = on_axis ? 0.0 : ((W * m_I_x) - (Q * m_I_y)); /* heliostat-alpha_y */
+    const double alpha_x = on_axis ? 1.0 : ((Q * m_I_x) + (W * m_I_y)); /* heliostat-alpha_x */
+    const double alpha_drive = atan2(alpha_y, alpha_x); /* heliostat-alpha_drive */
     const int no_direction = t2 < 1.0e-12; /* heliostat-no_direction */
-    const double t8 = no_direction ? 0.0 : m_I_z;
-    const double t9 = no_direction ? 1.0 : Q;
-    const double beta_drive = atan2(t8, t9); /* heliostat-beta_drive */
-    const int t10 = (1.0e-12 * (t4 * t2)) < Q_square;
-    const int steep = !t10; /* heliostat-steep */
-    const int t11 = !blind;
-    const int t12 = steep && t11;
+    const double beta_y = no_direction ? 0.0 : m_I_z; /* heliostat-beta_y */
+    const double beta_x = no_direction ? 1.0 : Q; /* heliostat-beta_x */
+    const double beta_drive = atan2(beta_y, beta_x); /* heliostat-beta_drive */
+    const int t6 = (1.0e-12 * (t4 * t2)) < Q_square;
+    const int steep = !t6; /* heliostat-steep */
+    const int t7 = !blind;
+    const int t8 = steep && t7;
     if (blind) {
       status = ARMILLARY_CLAMPED;
     }
     if (on_axis) {
       status = ARMILLARY_SINGULAR;
     }
-    if (t12) {
+    if (t8) {
       status = ARMILLARY_SINGULAR;
     }
     if (no_direction) {

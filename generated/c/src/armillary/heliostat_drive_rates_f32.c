@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x51b0a350UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x4b795bbdUL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -92,39 +92,36 @@ int heliostat_drive_rates_f32(
     const int blind = Q_square < 0.0f; /* heliostat-blind */
     const float t5 = blind ? 0.0f : Q_square;
     const float Q = sqrtf(t5); /* heliostat-Q */
-    const float t6 = on_axis ? 0.0f : ((W * m_I_x) - (Q * m_I_y));
-    const float t7 = (Q * m_I_x) + (W * m_I_y);
-    const float t8 = on_axis ? 1.0f : t7;
-    const float alpha_drive = atan2f(t6, t8); /* heliostat-alpha_drive */
+    const float alpha_y = on_axis ? 0.0f : ((W * m_I_x) - (Q * m_I_y)); /* heliostat-alpha_y */
+    const float alpha_x = on_axis ? 1.0f : ((Q * m_I_x) + (W * m_I_y)); /* heliostat-alpha_x */
+    const float alpha_drive = atan2f(alpha_y, alpha_x); /* heliostat-alpha_drive */
     const int no_direction = t2 < 1.0e-12f; /* heliostat-no_direction */
-    const float t9 = no_direction ? 0.0f : m_I_z;
-    const float t10 = no_direction ? 1.0f : Q;
-    const float beta_drive = atan2f(t9, t10); /* heliostat-beta_drive */
-    const float t11 = on_axis ? cos_chi : t7;
-    const float t12 = on_axis ? 1.0f : across;
-    const float inverse_across = 1.0f / (cos_chi * t12); /* heliostat-inverse_across */
-    const float cos_alpha = t11 * inverse_across; /* heliostat-cos_alpha */
-    const float t13 = (cos_theta * c_dot_z) + (sin_theta * c_dot_y);
-    const float t14 = (sin_theta * c_dot_z) - (cos_theta * c_dot_y);
-    const float t15 = (cos_psi * c_dot_x) - (sin_psi * t13);
-    const float t16 = (sin_psi * c_dot_x) + (cos_psi * t13);
-    const float sin_alpha = t6 * inverse_across; /* heliostat-sin_alpha */
-    /* heliostat-c_dot_cradle */
-    const float c_dot_cradle_x = (cos_alpha * t14) - (sin_alpha * t15);
-    const float t17 = (sin_alpha * t14) + (cos_alpha * t15);
-    const float c_dot_cradle_y = (cos_chi * t17) - (sin_chi * t16); /* heliostat-c_dot_cradle */
-    const float c_dot_cradle_z = (sin_chi * t17) + (cos_chi * t16); /* heliostat-c_dot_cradle */
-    const int t18 = (1.0e-12f * (t4 * t2)) < Q_square;
-    const int steep = !t18; /* heliostat-steep */
-    const float t19 = steep ? 0.0f : Q;
-    const float t20 = steep ? 1.0f : Q_square;
-    const float inverse_Q = t19 / t20; /* heliostat-inverse_Q */
-    const float t21 = c_dot_cradle_y * inverse_Q;
-    const float t22 = no_direction ? 1.0f : t2;
-    const float inverse_size = 1.0f / (cos_chi * t22); /* heliostat-inverse_size */
+    const float beta_y = no_direction ? 0.0f : m_I_z; /* heliostat-beta_y */
+    const float beta_x = no_direction ? 1.0f : Q; /* heliostat-beta_x */
+    const float beta_drive = atan2f(beta_y, beta_x); /* heliostat-beta_drive */
+    const float t6 = on_axis ? 1.0f : (cos_chi * across);
+    const float inverse_across = 1.0f / t6; /* heliostat-inverse_across */
+    const float cos_alpha = alpha_x * inverse_across; /* heliostat-cos_alpha */
+    const float t7 = (cos_theta * c_dot_z) + (sin_theta * c_dot_y);
+    const float t8 = (sin_theta * c_dot_z) - (cos_theta * c_dot_y);
+    const float t9 = (cos_psi * c_dot_x) - (sin_psi * t7);
+    const float t10 = (sin_psi * c_dot_x) + (cos_psi * t7);
+    const float sin_alpha = alpha_y * inverse_across; /* heliostat-sin_alpha */
+    const float c_dot_cradle_x = (cos_alpha * t8) - (sin_alpha * t9); /* heliostat-c_dot_cradle */
+    const float t11 = (sin_alpha * t8) + (cos_alpha * t9);
+    const float c_dot_cradle_y = (cos_chi * t11) - (sin_chi * t10); /* heliostat-c_dot_cradle */
+    const float c_dot_cradle_z = (sin_chi * t11) + (cos_chi * t10); /* heliostat-c_dot_cradle */
+    const int t12 = (1.0e-12f * (t4 * t2)) < Q_square;
+    const int steep = !t12; /* heliostat-steep */
+    const float t13 = steep ? 0.0f : Q;
+    const float t14 = steep ? 1.0f : Q_square;
+    const float inverse_Q = t13 / t14; /* heliostat-inverse_Q */
+    const float t15 = c_dot_cradle_y * inverse_Q;
+    const float t16 = no_direction ? 1.0f : t2;
+    const float inverse_size = 1.0f / (cos_chi * t16); /* heliostat-inverse_size */
     /* heliostat-beta_dot */
     const float beta_dot_value = (((Q * c_dot_cradle_z) - (m_I_z * c_dot_cradle_x)) *
-        inverse_size) - (sin_chi * t21);
+        inverse_size) - (sin_chi * t15);
     if (steep) {
       status = ARMILLARY_SINGULAR;
     }
@@ -137,7 +134,7 @@ int heliostat_drive_rates_f32(
     if (status >= 0) {
       *alpha = alpha_drive;
       *beta = beta_drive;
-      *alpha_dot = -t21;
+      *alpha_dot = -t15;
       *beta_dot = beta_dot_value;
     }
   }

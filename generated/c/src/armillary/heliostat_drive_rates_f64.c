@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x51b0a350UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x4b795bbdUL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -94,39 +94,37 @@ int heliostat_drive_rates_f64(
     const int blind = Q_square < 0.0; /* heliostat-blind */
     const double t5 = blind ? 0.0 : Q_square;
     const double Q = sqrt(t5); /* heliostat-Q */
-    const double t6 = on_axis ? 0.0 : ((W * m_I_x) - (Q * m_I_y));
-    const double t7 = (Q * m_I_x) + (W * m_I_y);
-    const double t8 = on_axis ? 1.0 : t7;
-    const double alpha_drive = atan2(t6, t8); /* heliostat-alpha_drive */
+    const double alpha_y = on_axis ? 0.0 : ((W * m_I_x) - (Q * m_I_y)); /* heliostat-alpha_y */
+    const double alpha_x = on_axis ? 1.0 : ((Q * m_I_x) + (W * m_I_y)); /* heliostat-alpha_x */
+    const double alpha_drive = atan2(alpha_y, alpha_x); /* heliostat-alpha_drive */
     const int no_direction = t2 < 1.0e-12; /* heliostat-no_direction */
-    const double t9 = no_direction ? 0.0 : m_I_z;
-    const double t10 = no_direction ? 1.0 : Q;
-    const double beta_drive = atan2(t9, t10); /* heliostat-beta_drive */
-    const double t11 = on_axis ? cos_chi : t7;
-    const double t12 = on_axis ? 1.0 : across;
-    const double inverse_across = 1.0 / (cos_chi * t12); /* heliostat-inverse_across */
-    const double cos_alpha = t11 * inverse_across; /* heliostat-cos_alpha */
-    const double t13 = (cos_theta * c_dot_z) + (sin_theta * c_dot_y);
-    const double t14 = (sin_theta * c_dot_z) - (cos_theta * c_dot_y);
-    const double t15 = (cos_psi * c_dot_x) - (sin_psi * t13);
-    const double t16 = (sin_psi * c_dot_x) + (cos_psi * t13);
-    const double sin_alpha = t6 * inverse_across; /* heliostat-sin_alpha */
+    const double beta_y = no_direction ? 0.0 : m_I_z; /* heliostat-beta_y */
+    const double beta_x = no_direction ? 1.0 : Q; /* heliostat-beta_x */
+    const double beta_drive = atan2(beta_y, beta_x); /* heliostat-beta_drive */
+    const double t6 = on_axis ? 1.0 : (cos_chi * across);
+    const double inverse_across = 1.0 / t6; /* heliostat-inverse_across */
+    const double cos_alpha = alpha_x * inverse_across; /* heliostat-cos_alpha */
+    const double t7 = (cos_theta * c_dot_z) + (sin_theta * c_dot_y);
+    const double t8 = (sin_theta * c_dot_z) - (cos_theta * c_dot_y);
+    const double t9 = (cos_psi * c_dot_x) - (sin_psi * t7);
+    const double t10 = (sin_psi * c_dot_x) + (cos_psi * t7);
+    const double sin_alpha = alpha_y * inverse_across; /* heliostat-sin_alpha */
     /* heliostat-c_dot_cradle */
-    const double c_dot_cradle_x = (cos_alpha * t14) - (sin_alpha * t15);
-    const double t17 = (sin_alpha * t14) + (cos_alpha * t15);
-    const double c_dot_cradle_y = (cos_chi * t17) - (sin_chi * t16); /* heliostat-c_dot_cradle */
-    const double c_dot_cradle_z = (sin_chi * t17) + (cos_chi * t16); /* heliostat-c_dot_cradle */
-    const int t18 = (1.0e-12 * (t4 * t2)) < Q_square;
-    const int steep = !t18; /* heliostat-steep */
-    const double t19 = steep ? 0.0 : Q;
-    const double t20 = steep ? 1.0 : Q_square;
-    const double inverse_Q = t19 / t20; /* heliostat-inverse_Q */
-    const double t21 = c_dot_cradle_y * inverse_Q;
-    const double t22 = no_direction ? 1.0 : t2;
-    const double inverse_size = 1.0 / (cos_chi * t22); /* heliostat-inverse_size */
+    const double c_dot_cradle_x = (cos_alpha * t8) - (sin_alpha * t9);
+    const double t11 = (sin_alpha * t8) + (cos_alpha * t9);
+    const double c_dot_cradle_y = (cos_chi * t11) - (sin_chi * t10); /* heliostat-c_dot_cradle */
+    const double c_dot_cradle_z = (sin_chi * t11) + (cos_chi * t10); /* heliostat-c_dot_cradle */
+    const int t12 = (1.0e-12 * (t4 * t2)) < Q_square;
+    const int steep = !t12; /* heliostat-steep */
+    const double t13 = steep ? 0.0 : Q;
+    const double t14 = steep ? 1.0 : Q_square;
+    const double inverse_Q = t13 / t14; /* heliostat-inverse_Q */
+    const double t15 = c_dot_cradle_y * inverse_Q;
+    const double t16 = no_direction ? 1.0 : t2;
+    const double inverse_size = 1.0 / (cos_chi * t16); /* heliostat-inverse_size */
     /* heliostat-beta_dot */
     const double beta_dot_value = (((Q * c_dot_cradle_z) - (m_I_z * c_dot_cradle_x)) *
-        inverse_size) - (sin_chi * t21);
+        inverse_size) - (sin_chi * t15);
     if (steep) {
       status = ARMILLARY_SINGULAR;
     }
@@ -139,7 +137,7 @@ int heliostat_drive_rates_f64(
     if (status >= 0) {
       *alpha = alpha_drive;
       *beta = beta_drive;
-      *alpha_dot = -t21;
+      *alpha_dot = -t15;
       *beta_dot = beta_dot_value;
     }
   }

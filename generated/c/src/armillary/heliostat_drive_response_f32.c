@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x51b0a350UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x4b795bbdUL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -87,42 +87,42 @@ int heliostat_drive_response_f32(
     const float inverse_Q = t6 / t7; /* heliostat-inverse_Q */
     const int t8 = (1.0e-12f * t3) < across;
     const int on_axis = !t8; /* heliostat-on_axis */
-    const float t9 = on_axis ? 0.0f : ((W * m_I_x) - (Q * m_I_y));
-    const float t10 = on_axis ? 1.0f : across;
-    const float inverse_across = 1.0f / (cos_chi * t10); /* heliostat-inverse_across */
-    const float sin_alpha = t9 * inverse_across; /* heliostat-sin_alpha */
+    const float alpha_y = on_axis ? 0.0f : ((W * m_I_x) - (Q * m_I_y)); /* heliostat-alpha_y */
+    const float t9 = on_axis ? 1.0f : (cos_chi * across);
+    const float inverse_across = 1.0f / t9; /* heliostat-inverse_across */
+    const float sin_alpha = alpha_y * inverse_across; /* heliostat-sin_alpha */
     const float across_axis_x = cos_chi * sin_alpha; /* heliostat-across_axis */
-    const float t11 = on_axis ? cos_chi : ((Q * m_I_x) + (W * m_I_y));
-    const float cos_alpha = t11 * inverse_across; /* heliostat-cos_alpha */
+    const float alpha_x = on_axis ? 1.0f : ((Q * m_I_x) + (W * m_I_y)); /* heliostat-alpha_x */
+    const float cos_alpha = alpha_x * inverse_across; /* heliostat-cos_alpha */
     const float across_axis_y = cos_chi * cos_alpha; /* heliostat-across_axis */
-    const float t12 = inverse_Q * across_axis_x;
-    const float t13 = inverse_Q * across_axis_y;
-    const float t14 = inverse_Q * sin_chi;
+    const float t10 = inverse_Q * across_axis_x;
+    const float t11 = inverse_Q * across_axis_y;
+    const float t12 = inverse_Q * sin_chi;
     /* heliostat-alpha_by_m, heliostat-response */
-    const float alpha_by_m_x = (sin_psi * t14) - (cos_psi * t13);
-    const float t15 = (sin_psi * t13) + (cos_psi * t14);
+    const float alpha_by_m_x = (sin_psi * t12) - (cos_psi * t11);
+    const float t13 = (sin_psi * t11) + (cos_psi * t12);
     /* heliostat-alpha_by_m, heliostat-response */
-    const float alpha_by_m_z = (cos_theta * t15) - (sin_theta * t12);
+    const float alpha_by_m_z = (cos_theta * t13) - (sin_theta * t10);
     /* heliostat-alpha_by_m, heliostat-response */
-    const float alpha_by_m_y = (sin_theta * t15) + (cos_theta * t12);
+    const float alpha_by_m_y = (sin_theta * t13) + (cos_theta * t10);
     const int no_direction = t3 < 1.0e-12f; /* heliostat-no_direction */
-    const float t16 = no_direction ? 1.0f : t3;
-    const float inverse_size = 1.0f / (cos_chi * t16); /* heliostat-inverse_size */
-    const float t17 = cos_chi * (inverse_size * ((m_I_y * sin_chi) + (m_I_z * across_axis_y)));
+    const float t14 = no_direction ? 1.0f : t3;
+    const float inverse_size = 1.0f / (cos_chi * t14); /* heliostat-inverse_size */
+    const float t15 = cos_chi * (inverse_size * ((m_I_y * sin_chi) + (m_I_z * across_axis_y)));
     /* heliostat-upward */
     const float upward_y = cos_chi * (inverse_size * ((m_I_z * across_axis_x) + (m_I_x *
         sin_chi)));
     /* heliostat-upward */
     const float upward_z = cos_chi * (inverse_size * ((m_I_x * across_axis_y) - (m_I_y *
         across_axis_x)));
-    const float t18 = (cos_psi * upward_z) - (sin_psi * upward_y);
+    const float t16 = (cos_psi * upward_z) - (sin_psi * upward_y);
     /* heliostat-beta_by_m, heliostat-response */
     const float beta_by_m_x = (sin_chi * alpha_by_m_x) + ((cos_psi * upward_y) + (sin_psi *
         upward_z));
     /* heliostat-beta_by_m, heliostat-response */
-    const float beta_by_m_y = (sin_chi * alpha_by_m_y) + ((sin_theta * t18) + (cos_theta * t17));
+    const float beta_by_m_y = (sin_chi * alpha_by_m_y) + ((sin_theta * t16) + (cos_theta * t15));
     /* heliostat-beta_by_m, heliostat-response */
-    const float beta_by_m_z = (sin_chi * alpha_by_m_z) + ((cos_theta * t18) - (sin_theta * t17));
+    const float beta_by_m_z = (sin_chi * alpha_by_m_z) + ((cos_theta * t16) - (sin_theta * t15));
     if (steep) {
       status = ARMILLARY_SINGULAR;
     }

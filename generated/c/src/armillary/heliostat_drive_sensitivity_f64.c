@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x51b0a350UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x4b795bbdUL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -90,18 +90,18 @@ int heliostat_drive_sensitivity_f64(
     const double tan_beta = m_I_z * inverse_Q; /* heliostat-tan_beta */
     const int t8 = (1.0e-12 * t3) < across;
     const int on_axis = !t8; /* heliostat-on_axis */
-    const double t9 = on_axis ? 0.0 : ((W * m_I_x) - (Q * m_I_y));
-    const double t10 = on_axis ? 1.0 : across;
-    const double inverse_across = 1.0 / (cos_chi * t10); /* heliostat-inverse_across */
-    const double sin_alpha = t9 * inverse_across; /* heliostat-sin_alpha */
-    const double t11 = on_axis ? cos_chi : ((Q * m_I_x) + (W * m_I_y));
-    const double cos_alpha = t11 * inverse_across; /* heliostat-cos_alpha */
-    const double t12 = cos_alpha * cos_psi;
-    const double t13 = 1.0 / cos_chi;
-    const double t14 = ((tan_beta * (sin_alpha * cos_psi)) + ((sin_chi * t12) + (cos_chi *
-        sin_psi))) * t13;
-    const double J_12 = ((tan_beta * cos_alpha) - (sin_chi * sin_alpha)) * t13; /* heliostat-J */
-    const double J_13 = tan_beta * t13; /* heliostat-J */
+    const double alpha_y = on_axis ? 0.0 : ((W * m_I_x) - (Q * m_I_y)); /* heliostat-alpha_y */
+    const double t9 = on_axis ? 1.0 : (cos_chi * across);
+    const double inverse_across = 1.0 / t9; /* heliostat-inverse_across */
+    const double sin_alpha = alpha_y * inverse_across; /* heliostat-sin_alpha */
+    const double alpha_x = on_axis ? 1.0 : ((Q * m_I_x) + (W * m_I_y)); /* heliostat-alpha_x */
+    const double cos_alpha = alpha_x * inverse_across; /* heliostat-cos_alpha */
+    const double t10 = cos_alpha * cos_psi;
+    const double t11 = 1.0 / cos_chi;
+    const double t12 = ((tan_beta * (sin_alpha * cos_psi)) + ((sin_chi * t10) + (cos_chi *
+        sin_psi))) * t11;
+    const double J_12 = ((tan_beta * cos_alpha) - (sin_chi * sin_alpha)) * t11; /* heliostat-J */
+    const double J_13 = tan_beta * t11; /* heliostat-J */
     const double J_22 = (sin_chi * J_12) - (cos_chi * sin_alpha); /* heliostat-J */
     const double J_23 = sin_chi * J_13; /* heliostat-J */
     const int no_direction = t3 < 1.0e-12; /* heliostat-no_direction */
@@ -115,10 +115,10 @@ int heliostat_drive_sensitivity_f64(
       status = ARMILLARY_UNREACHABLE;
     }
     if (status >= 0) {
-      J[0] = -t14;
+      J[0] = -t12;
       J[1] = J_12;
       J[2] = J_13;
-      J[3] = -((sin_chi * t14) + ((cos_chi * t12) - (sin_chi * sin_psi)));
+      J[3] = -((sin_chi * t12) + ((cos_chi * t10) - (sin_chi * sin_psi)));
       J[4] = J_22;
       J[5] = J_23;
     }

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x51b0a350UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x4b795bbdUL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -69,39 +69,42 @@ int heliostat_track_f32(
     const float sin_theta = sinf(theta);
     const float cos_theta = cosf(theta);
     const float t2 = (cos_theta * m_sun_z) + (sin_theta * m_sun_y);
-    const float t3 = (sin_theta * m_sun_z) - (cos_theta * m_sun_y);
+    const float m_I_sun_x = (sin_theta * m_sun_z) - (cos_theta * m_sun_y); /* heliostat-m_I_sun */
     const float sin_psi = sinf(psi);
     const float cos_psi = cosf(psi);
-    const float t4 = (cos_psi * m_sun_x) - (sin_psi * t2);
-    const float t5 = (sin_psi * m_sun_x) + (cos_psi * t2);
-    const float t6 = (t3 * t3) + (t4 * t4);
-    const float t7 = t6 + (t5 * t5);
-    const int t8 = (1.0e-12f * t7) < t6;
-    const int t9 = !t8;
+    const float m_I_sun_y = (cos_psi * m_sun_x) - (sin_psi * t2); /* heliostat-m_I_sun */
+    const float m_I_sun_z = (sin_psi * m_sun_x) + (cos_psi * t2); /* heliostat-m_I_sun */
+    /* heliostat-across_sun */
+    const float across_sun = (m_I_sun_x * m_I_sun_x) + (m_I_sun_y * m_I_sun_y);
+    const float t3 = across_sun + (m_I_sun_z * m_I_sun_z);
+    const int t4 = (1.0e-12f * t3) < across_sun;
+    const int on_axis_sun = !t4; /* heliostat-on_axis_sun */
     const float sin_chi = sinf(chi);
-    const float t10 = sin_chi * t5;
+    const float W_sun = sin_chi * m_I_sun_z; /* heliostat-W_sun */
     const float cos_chi = cosf(chi);
-    const float t11 = cos_chi * cos_chi;
-    const float t12 = (t11 * t6) - (t10 * t10);
-    const int t13 = t12 < 0.0f;
-    const float t14 = t13 ? 0.0f : t12;
-    const float t15 = sqrtf(t14);
-    const float t16 = t9 ? 0.0f : ((t10 * t3) - (t15 * t4));
-    const float t17 = t9 ? 1.0f : ((t15 * t3) + (t10 * t4));
-    const float alpha_track = atan2f(t16, t17); /* heliostat-alpha_track */
-    const int t18 = t7 < 1.0e-12f;
-    const float t19 = t18 ? 0.0f : t5;
-    const float t20 = t18 ? 1.0f : t15;
-    const float beta_track = atan2f(t19, t20); /* heliostat-beta_track */
-    const int t21 = (1.0e-12f * (t11 * t7)) < t12;
-    const int t22 = !t21;
-    if (t22) {
+    const float t5 = cos_chi * cos_chi;
+    const float Q_square_sun = (t5 * across_sun) - (W_sun * W_sun); /* heliostat-Q_square_sun */
+    const int blind_sun = Q_square_sun < 0.0f; /* heliostat-blind_sun */
+    const float t6 = blind_sun ? 0.0f : Q_square_sun;
+    const float Q_sun = sqrtf(t6); /* heliostat-Q_sun */
+    /* heliostat-alpha_y_sun */
+    const float alpha_y_sun = on_axis_sun ? 0.0f : ((W_sun * m_I_sun_x) - (Q_sun * m_I_sun_y));
+    /* heliostat-alpha_x_sun */
+    const float alpha_x_sun = on_axis_sun ? 1.0f : ((Q_sun * m_I_sun_x) + (W_sun * m_I_sun_y));
+    const float alpha_track = atan2f(alpha_y_sun, alpha_x_sun); /* heliostat-alpha_track */
+    const int no_direction_sun = t3 < 1.0e-12f; /* heliostat-no_direction_sun */
+    const float beta_y_sun = no_direction_sun ? 0.0f : m_I_sun_z; /* heliostat-beta_y_sun */
+    const float beta_x_sun = no_direction_sun ? 1.0f : Q_sun; /* heliostat-beta_x_sun */
+    const float beta_track = atan2f(beta_y_sun, beta_x_sun); /* heliostat-beta_track */
+    const int t7 = (1.0e-12f * (t5 * t3)) < Q_square_sun;
+    const int steep_sun = !t7; /* heliostat-steep_sun */
+    if (steep_sun) {
       status = ARMILLARY_SINGULAR;
     }
-    if (t18) {
+    if (no_direction_sun) {
       status = ARMILLARY_UNREACHABLE;
     }
-    if (t13) {
+    if (blind_sun) {
       status = ARMILLARY_UNREACHABLE;
     }
     if (status >= 0) {

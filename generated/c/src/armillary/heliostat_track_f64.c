@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x51b0a350UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x4b795bbdUL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -71,39 +71,43 @@ int heliostat_track_f64(
     const double sin_theta = sin(theta);
     const double cos_theta = cos(theta);
     const double t2 = (cos_theta * m_sun_z) + (sin_theta * m_sun_y);
-    const double t3 = (sin_theta * m_sun_z) - (cos_theta * m_sun_y);
+    /* heliostat-m_I_sun */
+    const double m_I_sun_x = (sin_theta * m_sun_z) - (cos_theta * m_sun_y);
     const double sin_psi = sin(psi);
     const double cos_psi = cos(psi);
-    const double t4 = (cos_psi * m_sun_x) - (sin_psi * t2);
-    const double t5 = (sin_psi * m_sun_x) + (cos_psi * t2);
-    const double t6 = (t3 * t3) + (t4 * t4);
-    const double t7 = t6 + (t5 * t5);
-    const int t8 = (1.0e-12 * t7) < t6;
-    const int t9 = !t8;
+    const double m_I_sun_y = (cos_psi * m_sun_x) - (sin_psi * t2); /* heliostat-m_I_sun */
+    const double m_I_sun_z = (sin_psi * m_sun_x) + (cos_psi * t2); /* heliostat-m_I_sun */
+    /* heliostat-across_sun */
+    const double across_sun = (m_I_sun_x * m_I_sun_x) + (m_I_sun_y * m_I_sun_y);
+    const double t3 = across_sun + (m_I_sun_z * m_I_sun_z);
+    const int t4 = (1.0e-12 * t3) < across_sun;
+    const int on_axis_sun = !t4; /* heliostat-on_axis_sun */
     const double sin_chi = sin(chi);
-    const double t10 = sin_chi * t5;
+    const double W_sun = sin_chi * m_I_sun_z; /* heliostat-W_sun */
     const double cos_chi = cos(chi);
-    const double t11 = cos_chi * cos_chi;
-    const double t12 = (t11 * t6) - (t10 * t10);
-    const int t13 = t12 < 0.0;
-    const double t14 = t13 ? 0.0 : t12;
-    const double t15 = sqrt(t14);
-    const double t16 = t9 ? 0.0 : ((t10 * t3) - (t15 * t4));
-    const double t17 = t9 ? 1.0 : ((t15 * t3) + (t10 * t4));
-    const double alpha_track = atan2(t16, t17); /* heliostat-alpha_track */
-    const int t18 = t7 < 1.0e-12;
-    const double t19 = t18 ? 0.0 : t5;
-    const double t20 = t18 ? 1.0 : t15;
-    const double beta_track = atan2(t19, t20); /* heliostat-beta_track */
-    const int t21 = (1.0e-12 * (t11 * t7)) < t12;
-    const int t22 = !t21;
-    if (t22) {
+    const double t5 = cos_chi * cos_chi;
+    const double Q_square_sun = (t5 * across_sun) - (W_sun * W_sun); /* heliostat-Q_square_sun */
+    const int blind_sun = Q_square_sun < 0.0; /* heliostat-blind_sun */
+    const double t6 = blind_sun ? 0.0 : Q_square_sun;
+    const double Q_sun = sqrt(t6); /* heliostat-Q_sun */
+    /* heliostat-alpha_y_sun */
+    const double alpha_y_sun = on_axis_sun ? 0.0 : ((W_sun * m_I_sun_x) - (Q_sun * m_I_sun_y));
+    /* heliostat-alpha_x_sun */
+    const double alpha_x_sun = on_axis_sun ? 1.0 : ((Q_sun * m_I_sun_x) + (W_sun * m_I_sun_y));
+    const double alpha_track = atan2(alpha_y_sun, alpha_x_sun); /* heliostat-alpha_track */
+    const int no_direction_sun = t3 < 1.0e-12; /* heliostat-no_direction_sun */
+    const double beta_y_sun = no_direction_sun ? 0.0 : m_I_sun_z; /* heliostat-beta_y_sun */
+    const double beta_x_sun = no_direction_sun ? 1.0 : Q_sun; /* heliostat-beta_x_sun */
+    const double beta_track = atan2(beta_y_sun, beta_x_sun); /* heliostat-beta_track */
+    const int t7 = (1.0e-12 * (t5 * t3)) < Q_square_sun;
+    const int steep_sun = !t7; /* heliostat-steep_sun */
+    if (steep_sun) {
       status = ARMILLARY_SINGULAR;
     }
-    if (t18) {
+    if (no_direction_sun) {
       status = ARMILLARY_UNREACHABLE;
     }
-    if (t13) {
+    if (blind_sun) {
       status = ARMILLARY_UNREACHABLE;
     }
     if (status >= 0) {

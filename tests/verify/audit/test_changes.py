@@ -1,0 +1,177 @@
+"""Changes of a print: which there are, in what order, and in what words."""
+
+import numpy as np
+import pytest
+
+from armillary import Chain, Derivation, Paper, X, Y, Z, cos, elementary, sin, sqrt, vector
+from armillary.algebra import scalar as s
+from armillary.algebra import vector as v
+from armillary.verify.audit.changes import Changes, terms_of
+from armillary.verify.audit.numeric import Doubles, Values
+from armillary.verify.audit.plain import plain
+from armillary.verify.audit.points import quantities, sample
+from armillary.verify.audit.pool import Pool
+from armillary.verify.audit.products import misprints, orders, pose_of
+from armillary.verify.audit.walking import parts, replaced, stands_in
+
+
+@pytest.fixture
+def d():
+    return Derivation("print", title="Print")
+
+
+def told(node, *more, paper=None):
+    changes = Changes(Pool(node, more, paper))
+    return [(c.kind, c.words, plain(c.node)) for c in changes.whole(node)]
+
+
+def test_all_changes_of_a_small_sum(d):
+    a, b = d.angle("a", "x"), d.angle("b", "x")
+    found = [c for c in told(sin(a) - 2 * cos(b)) if not c[1].endswith("added")]
+    assert [c for c in found if " times " not in c[1]] == [
+        ("sign", "the other sign of the whole", "-(sin(a) - 2 cos(b))"),
+        ("sign", "minus for plus before sin(a)", "-sin(a) - 2 cos(b)"),
+        ("sign", "plus for minus before 2 cos(b)", "sin(a) + 2 cos(b)"),
+        ("function", "cos for sin of a", "cos(a) - 2 cos(b)"),
+        ("function", "sin for cos of b", "sin(a) - 2 sin(b)"),
+        ("term", "without the term sin(a)", "-2 cos(b)"),
+        ("term", "without the term 2 cos(b)", "sin(a)"),
+        ("factor", "twice sin(a)", "2 sin(a) - 2 cos(b)"),
+        ("factor", "twice 2 cos(b)", "sin(a) - 2 2 cos(b)"),
+        ("factor", "without the factor 2", "sin(a) - cos(b)"),
+        ("factor", "without the factor cos(b)", "sin(a) - 2"),
+        ("factor", "the square of cos(b)", "sin(a) - 2 cos(b) cos(b)"),
+        ("index", "b for a", "sin(b) - 2 cos(b)"),
+        ("index", "a for b", "sin(a) - 2 cos(a)"),
+    ]
+
+
+def test_what_may_have_been_lost(d):
+    a, L = d.angle("a", "x"), d.length("L", "x")
+    found = told(sin(a), L)
+    assert [words for kind, words, _ in found if " times " in words] == [
+        "sin(a) times cos(a)", "sin(a) times sin(a)", "sin(a) times a", "sin(a) times L",
+    ]  # fmt: skip
+    assert [words for kind, words, _ in told(2 * L, a) if kind == "lost term"] == [
+        "plus L added", "minus L added",
+    ]  # fmt: skip
+
+
+def test_numbers_are_taken_from_what_is_derived(d):
+    a, year = d.angle("a", "x"), d.constant("year", 365, "days")
+    derived = d.define("x", sin(a / year), because="a name")
+    found = [words for kind, words, _ in told(sin(a / 366), derived) if kind == "number"]
+    assert found == ["365 for 366"]
+
+
+def test_every_change_changes_something(d):
+    """A copy that is always equal to the print would mend nothing and cost time."""
+    a, b, L = d.angle("a", "x"), d.angle("b", "x"), d.length("L", "x", range=(1.0, 2.0))
+    u = d.unit_vector("u", "x")
+    node = (L * sin(a + b) - u.y * cos(b) / sqrt(1 + u.x)) / (2 + sin(a))
+    values = Values(Doubles(), sample(quantities(node), 5, 0))
+    for change in Changes(Pool(node, ())).whole(node):
+        with np.errstate(all="ignore"):
+            assert not np.allclose(values.array(change.node), values.array(node)), change.words
+
+
+def test_a_leading_minus_is_the_sign_of_its_term(d):
+    a, b = d.angle("a", "x"), d.angle("b", "x")
+    assert [(n, plain(t)) for n, t in terms_of(-sin(a) * cos(b) * a - b)] == [
+        (True, "sin(a) cos(b) a"),
+        (True, "b"),
+    ]
+
+
+def test_neighbours_come_before_strangers(d):
+    n_xi, n_eta, other = (d.scalar(name, "x") for name in ("n_xi", "n_eta", "other"))
+    length = d.length("L", "x")
+    changes = Changes(Pool(n_xi, (other, length, n_eta)))
+    assert [(c.words, c.rank) for c in changes.whole(n_xi) if c.kind == "index"] == [
+        ("n_eta for n_xi", 2),
+        ("other for n_xi", 8),
+    ]
+
+
+def test_components_and_dots(d):
+    u = d.unit_vector("u", "x")
+    w = d.unit_vector("w", "x")
+    a = d.angle("a", "x")
+    a_dot = a.rate()
+    found = {words for _, words, _ in told(u.x + a, w)}
+    assert {"u_y for u_x", "u_z for u_x", "w_x for u_x", "a_dot for a"} <= found
+    assert ("dot too many", "a for a_dot", "a") in told(a_dot, a)
+
+
+def test_symbols_of_the_paper_are_tried(d):
+    paper = Paper("a_paper")
+    n_1 = paper.scalar("n_1", "x")
+    paper.scalar("n_2", "x")
+    paper.define("n_3", 2 * n_1, because="a shorthand")
+    words = [words for kind, words, _ in told(n_1, paper=paper) if kind == "index"]
+    assert words == ["n_2 for n_1", "n_3 for n_1"]
+
+
+def test_rotations_and_vectors(d):
+    a, b = d.angle("a", "x"), d.angle("b", "x")
+    product = elementary(Z, a) @ elementary(X, b)
+    found = {(kind, words) for kind, words, _ in told(product)}
+    assert {
+        ("axis", "axis x for z of Rz(a)"),
+        ("sign", "Rx(b) turning the other way"),
+        ("order of factors", "Rx(b) before Rz(a)"),
+        ("transposition", "the transpose of Rz(a) Rx(b)"),
+        ("index", "b for a"),
+    } <= found
+    u, w = d.vector("u", "x"), d.vector("w", "x")
+    found = {(kind, words) for kind, words, _ in told(u.cross(w) - 2 * u)}
+    assert {
+        ("sign", "plus for minus before 2 u"),
+        ("term", "without the term 2 u"),
+        ("index", "w for u"),
+    } <= found
+    assert ("function", "cos for sin of a", "(cos(a), 0, 0)") in told(vector(sin(a), 0, 0))
+
+
+def test_orders_of_a_product(d):
+    a, L = d.angle("a", "x"), d.length("L", "x")
+    steps = Chain("o").translate(Z, L).rotate(X, a).translate(Y, -L, frame="e").steps
+    assert [words for _, words in orders(steps)] == [
+        "Tz(L) and Rx(a) exchanged",
+        "Rx(a) and Ty(-L) exchanged",
+        "Tz(L) moved to stand at the end",
+        "Ty(-L) moved to stand before Tz(L)",
+    ]
+    for moved, _ in orders(steps):
+        assert sorted(map(id, moved)) == sorted(map(id, steps))
+    found = {(c.kind, c.words) for c in misprints(steps, Changes(Pool(pose_of(steps), ())))}
+    assert {
+        ("axis", "axis y for x of Rx(a)"),
+        ("axis", "axis x for y of Ty(-L)"),
+        ("sign", "Rx(a) turning the other way"),
+        ("sign", "minus for plus before L e_z"),
+    } <= found
+
+
+def test_walking_does_not_open_names(d):
+    a = d.angle("a", "x")
+    x = d.define("x", sin(a), because="a name")
+    node = x * cos(a)
+    assert stands_in(a, node)
+    assert not stands_in(a, x)
+    assert [type(p).__name__ for p in parts(node)] == [
+        "Multiply", "ScalarReference", "Cosine", "Quantity",
+    ]  # fmt: skip
+    other = d.angle("b", "x")
+    assert plain(replaced(node, {id(a): other})) == "x cos(b)"
+    assert replaced(node, {id(other): a}) is node
+
+
+def test_plain_text_keeps_brackets_where_they_matter(d):
+    a, b, u = d.angle("a", "x"), d.angle("b", "x"), d.unit_vector("u", "x")
+    assert plain((a + b) * (a - b) / (a * b)) == "(a + b) (a - b) / (a b)"
+    assert plain(-(a + b)) == "-(a + b)"
+    assert plain(a - (b - a)) == "a - (b - a)"
+    assert plain(sqrt(u.x) + u.dot(u)) == "sqrt(u_x) + u . u"
+    assert plain(s.where(a < b, a, b)) == "(a if a < b else b)"
+    assert plain(v.unit(u + u)) == "unit(u + u)"
