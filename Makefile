@@ -22,7 +22,7 @@ $(shell rm -f build/worked)
 
 .NOTPARALLEL:
 .PHONY: all help environment package katex generate check audit site serve lint test test-all benchmark \
-  benchmark-environment tools wheel try-wheel lock clean distclean
+  benchmark-environment mutants tools wheel try-wheel lock clean distclean
 
 all: site ## Set up, regenerate, check and build the site: all that changed since last time
 	@test -e build/worked || echo "Nothing to do: kernels, checks and site are up to date."
@@ -85,6 +85,7 @@ test-all: ## What CI runs: everything, and a missing tool is an error
 	$(MAKE) benchmark-environment
 	$(MAKE) test
 	$(BIN)/python -m benchmarks --check
+	$(BIN)/python -m mutation --check
 	$(MAKE) try-wheel
 
 benchmark-environment: environment
@@ -93,6 +94,9 @@ benchmark-environment: environment
 
 benchmark: package benchmark-environment ## Measure against SymPy, CasADi, wrenfold and SymForce
 	$(BIN)/python -m benchmarks
+
+mutants: check ## Change the derivations in small ways; count the changes that the checks see
+	$(BIN)/python -m mutation
 
 tools: ## Install compilers, browser and the other generators, where apt is permitted
 	@$(PYTHON) tools/machine.py install

@@ -9,7 +9,7 @@ from .optics import m
 from .symbols import alpha, b, beta, chi, d, edge_tolerance, opposite_tolerance, sun
 
 
-def again(suffix, mark):
+def again(suffix, mark, of="m"):
     """Names the same steps for another direction."""
 
     def define(name, expression, *, meaning, latex=None, because=""):
@@ -17,7 +17,7 @@ def again(suffix, mark):
             f"{name}_{suffix}",
             expression,
             because="The same step as for the drive.",
-            meaning=meaning,
+            meaning=meaning.replace(" m ", f" {of} ").replace("|m|", f"|{of}|"),
             latex=latex and rf"{{{latex}}}_{{{mark}}}",
         )
 
@@ -29,15 +29,19 @@ def unnamed(name, expression, **words):
     return expression
 
 
-_AZIMUTH = {
-    "because": "The azimuth drive carries (X, Y) to (Q, W), so it turns by the difference of their "
-    "directions. On the azimuth axis itself every azimuth will do, and 0 is taken.",
-    "meaning": "side of the triangle whose angle is alpha",
-}
-_ELEVATION = {
-    "because": "The height is sin(beta), what is left across cos(beta), both times cos(chi) |m|.",
-    "meaning": "side of the triangle whose angle is beta",
-}
+_AZIMUTH = (
+    "The azimuth drive carries (X, Y) to (Q, W), so it turns by the difference of their "
+    "directions. On the azimuth axis itself every azimuth will do, and 0 is taken."
+)
+_ELEVATION = "The height is sin(beta), what is left across cos(beta), both times cos(chi) |m|."
+
+
+def side(define, name, value, because):
+    """One side of the triangle that a drive angle is taken from."""
+    angle, axis = name.split("_")
+    which = "opposite" if axis == "y" else "adjacent"
+    meaning = f"side of the triangle of {angle}, {which}"
+    return define(name, value, because=because, meaning=meaning, latex=rf"{axis}_\{angle}")
 
 
 def turned(v, W, Q):
@@ -86,12 +90,12 @@ class Reach:
             rise, run = where(self.null, 0, rise), where(self.null, 1, run)
         return (
             (
-                define("alpha_y", where(self.free, 0, sine), **_AZIMUTH, latex="y_\\alpha"),
-                define("alpha_x", where(self.free, 1, cosine), **_AZIMUTH, latex="x_\\alpha"),
+                side(define, "alpha_y", where(self.free, 0, sine), _AZIMUTH),
+                side(define, "alpha_x", where(self.free, 1, cosine), _AZIMUTH),
             ),
             (
-                define("beta_y", rise, **_ELEVATION, latex="y_\\beta"),
-                define("beta_x", run, **_ELEVATION, latex="x_\\beta"),
+                side(define, "beta_y", rise, _ELEVATION),
+                side(define, "beta_x", run, _ELEVATION),
             ),
         )
 

@@ -52,7 +52,7 @@ u = d.define(
     meaning="unit normal that is wanted, in the azimuth axis's frame turned by its encoder's zero",
     latex=r"\mathbf{u}",
 )
-_for_readings = again("u", r"\kappa")
+_for_readings = again("u", r"\kappa", of="u")
 aim_u = reach(u, _for_readings, offset=collimation, unit=True)
 Q_reading = d.define(
     "Q_reading",
@@ -60,7 +60,7 @@ Q_reading = d.define(
     because="The closed form of the drive once more, with sin(kappa) added to W: the true normal "
     "stands off sideways by itself. The mirror stays on the branch that beta is on.",
     meaning="cosine of the elevation drive times cos(chi) cos(kappa)",
-    latex=r"Q_\mathrm{r}",
+    latex=r"Q_{\pm\kappa}",
 )
 _azimuth_u, (_rise_u, _) = aim_u.points(Q_reading, _for_readings)
 alpha_encoder = d.define(
@@ -97,14 +97,14 @@ u_read = d.define(
     meaning="true unit normal for given readings, in the azimuth axis's frame",
     latex=r"\mathbf{u}_\mathrm{r}",
 )
-_for_decoding = again("read", r"\mathrm{d}")
+_for_decoding = again("read", r"\mathrm{d}", of="u")
 aim_read = reach(u_read, _for_decoding, unit=True)
 Q_decoded = d.define(
     "Q_decoded",
     where(cos(beta_reading - beta_0) < 0, -aim_read.Q, aim_read.Q),
     because="The mirror stays on the branch that the reading is on.",
     meaning="cosine of the elevation drive times cos(chi)",
-    latex=r"Q_\mathrm{d}",
+    latex=r"Q_{\pm\mathrm{d}}",
 )
 decoded = aim_read.angles(Q_decoded, _for_decoding)
 alpha_decoded = d.define(

@@ -2,6 +2,7 @@
 
 from armillary.verify.engines import each
 
+from .checks_of_budget import budget_by_monte_carlo
 from .checks_of_drive import (
     angles_come_back,
     chain_by_scipy,
@@ -55,4 +56,5 @@ def checks(kernels):
         error_angles_by_numpy,
         encoder_by_pinocchio,
         pointing_by_readings,
+        budget_by_monte_carlo,
     )

@@ -33,7 +33,7 @@ DAYS = (
 
 
 def error_angles(kernels):
-    """How far are drive angles off that take the axes for ideal?"""
+    """Drive angles that take the axes for ideal, less the valid ones."""
     yield Heading("How far are drive angles off that take the axes for ideal?")
     yield Prose(
         "Equations (1) and (2) define $\\Delta_A$ and $\\Delta_h$, calculated less valid drive "

@@ -30,13 +30,14 @@ from .sky import (
 )
 
 SYMBOLS = {"theta": "$\\theta$", "psi": "$\\psi$", "chi": "$\\chi$"}
+LETTERS = {"theta": "θ", "psi": "ψ", "chi": "χ"}
 SHARES = (0.1, 0.5)
 SKIES = (("facing the sun", facing), ("on receivers", field))
 ASKED = 0.1  # mrad of normal
 
 
 def neglect(kernels):
-    """Is chi negligible?"""
+    """One misalignment ignored at a time, and whether chi is negligible."""
     yield Heading("What does it cost to ignore one of them?")
     yield Prose(
         "The drive angles are computed for ideal axes; the machine has one misalignment. The sun "
@@ -45,9 +46,9 @@ def neglect(kernels):
         f"{len(ROUND)} directions, throw it on a receiver {RISE:g} degrees high."
     )
     done = {name: costs(kernels, sky()) for name, sky in SKIES}
-    for k, what in enumerate(("normal", "beam")):
-        yield table(done, k, what)
-    yield closed_forms(kernels)
+    yield table(done, "Root mean square", rms)
+    yield table(done, "Worst", np.max)
+    yield closed_forms(kernels, done)
     yield over_the_sky(kernels)
     yield Heading("Is chi negligible?")
     yield by_elevation(kernels)
@@ -65,27 +66,30 @@ def costs(kernels, points):
     }
 
 
-def table(done, k, what):
-    """Root mean square and worst of the normal's angles, or of the beam's."""
+def table(done, kind, over):
+    """One number over the sky for each: of the normal, then of the beam."""
     rows = [
-        (
-            f"{symbol}, {sky}",
-            *(rms(cost[name, size][k]) for size in SIZES),
-            *(cost[name, size][k].max() for size in SIZES),
-        )
+        (symbol, sky, what, *(over(cost[name, size][k]) for size in SIZES))
         for name, symbol in SYMBOLS.items()
         for sky, cost in done.items()
-    ]
-    heads = [
-        Column(f"{kind} for {size:g}", "mrad", ".2f") for kind in ("rms", "worst") for size in SIZES
+        for k, what in enumerate(("normal", "beam"))
     ]
     return Table(
-        f"Angle between the {what} and the one that is wanted, with one misalignment of "
-        f"{SIZES[0]:g} to {SIZES[-1]:g} mrad ignored: root mean square and worst over the working "
-        "sky.",
-        ["ignored", *heads],
+        f"{kind} over the working sky of the angle between normal or beam and the one that is "
+        f"wanted, with one misalignment of {SIZES[0]:g} to {SIZES[-1]:g} mrad ignored.",
+        [
+            "ignored",
+            "mirror",
+            "angle of",
+            *(Column(f"for {s:g} mrad", "mrad", ".2f") for s in SIZES),
+        ],
         rows,
     )
+
+
+def unit_costs(cost):
+    """What the smallest size of each misalignment costs, over that size."""
+    return [found / size for (_, size), found in cost.items() if size == SIZES[0]]
 
 
 # -- closed forms ---------------------------------------------------------------------------------
@@ -99,8 +103,9 @@ def slips(points):
     return {name: np.cross(axis, n) for name, axis in axes.items()}
 
 
-def closed_forms(kernels):
-    """How well they fit, at the largest size."""
+def closed_forms(kernels, done):
+    """How well they fit, at the largest size, and the answer."""
+    worst = np.max([found.max(axis=1) for cost in done.values() for found in unit_costs(cost)], 0)
     size, points = SIZES[-1] * MILLI, field()
     angles = kernels.drive(**points, **IDEAL)
     off = [0.0, 0.0]
@@ -119,8 +124,10 @@ def closed_forms(kernels):
         "$2 \\sqrt{(\\mathbf{c} \\cdot \\delta\\mathbf{n})^2 + "
         "(\\mathbf{c} \\cdot \\mathbf{n})^2 |\\delta\\mathbf{n}|^2}$: by twice as much when the "
         "mirror faces the sun, by less when the light comes in at a slant across the slip. At "
-        f"{SIZES[-1]:g} mrad these are off from the exact kernels by at most {100 * off[0]:.1g} % of "
-        f"the worst normal and {100 * off[1]:.1g} % of the worst beam."
+        f"{SIZES[-1]:g} mrad the exact kernels differ by at most {100 * off[0]:.1g}% of the "
+        f"worst normal and {100 * off[1]:.1g}% of the worst beam. "
+        f"**Each mrad that is ignored moves the normal by up to {worst[0]:.2f} mrad and the beam "
+        f"by up to {worst[1]:.2f} mrad.**"
     )
 
 
@@ -134,8 +141,10 @@ def over_the_sky(kernels):
     return Panels(
         "How far the normal moves for each mrad that is ignored, by where it points.",
         [
-            sky_map(name, "mrad per mrad", azimuth, elevation, getattr(found, f"e_{name}"), levels)
-            for name in SYMBOLS
+            sky_map(
+                letter, "mrad per mrad", azimuth, elevation, getattr(found, f"e_{name}"), levels
+            )
+            for name, letter in LETTERS.items()
         ],
     )
 
@@ -162,11 +171,11 @@ def by_elevation(kernels):
         "elevation of the normal, degrees",
         "angle of the normal, mrad",
         [
-            Curve("theta, root mean square all round", rise, np.sqrt((theta**2).mean(axis=1))),
-            Curve("chi", rise, chi),
+            Curve("θ, root mean square all round", rise, np.sqrt((theta**2).mean(axis=1))),
+            Curve("χ", rise, chi),
         ],
-        [Mark(height_of(share), f"{share:.0%} of theta", across=True) for share in SHARES],
-        [Band("theta, least to most", rise, theta.min(axis=1), theta.max(axis=1))],
+        [Mark(height_of(share), f"{share:.0%} of θ", across=True) for share in SHARES],
+        [Band("θ, least to most", rise, theta.min(axis=1), theta.max(axis=1))],
     )
 
 
@@ -177,7 +186,7 @@ def height_of(share):
 
 
 def verdict(done):
-    """Is the conclusion of the paper right?"""
+    """Whether the conclusion of the paper is right."""
     ratio = {
         (sky, k): rms(cost["chi", 1.0][k]) / rms(cost["theta", 1.0][k])
         for sky, cost in done.items()
@@ -186,7 +195,7 @@ def verdict(done):
     low = [np.mean(elevation_of(middle(sky())) < height_of(SHARES[1])) for _, sky in SKIES]
     worst = [cost["chi", 1.0][1].max() for cost in done.values()]
     heights = (15.0, 30.0, 60.0)
-    most = spelled(ASKED / np.sin(np.radians(heights)))
+    most = spelled(ASKED / np.sin(np.radians(heights)), ".2f")
     (first, second), (facing_, field_) = SHARES, done
     return Prose(
         "The paper concludes that the influence of $\\chi$ is negligible. All round, it moves the "

@@ -8,7 +8,6 @@ from armillary.verify.plots import Axis, Curve, Mark, Plot
 from armillary.verify.study import Column, Heading, Prose, Table
 
 from .sky import (
-    IDEAL,
     MILLI,
     SIZES,
     around,
@@ -29,16 +28,16 @@ ENOUGH = 0.1  # mrad of normal
 HEIGHTS = (30.0, 45.0, 60.0, 75.0, 85.0)
 SIGNS = np.array(list(product((-1.0, 1.0), repeat=3)))
 ALONE = (
-    ("$\\theta$ alone", np.diag([1.0, 0, 0])[:1]),
-    ("$\\psi$ alone", np.diag([0, 1.0, 0])[1:2]),
-    ("$\\chi$ alone", np.diag([0, 0, 1.0])[2:]),
-    ("all three, any signs", SIGNS),
+    ("$\\theta$", np.diag([1.0, 0, 0])[:1]),
+    ("$\\psi$", np.diag([0, 1.0, 0])[1:2]),
+    ("$\\chi$", np.diag([0, 0, 1.0])[2:]),
+    ("all, any signs", SIGNS),
 )
 MICRO = 1e-6
 
 
 def orders(kernels):
-    """When is the first-order law enough?"""
+    """The truncated laws: their cost, and when first order is enough."""
     points = lower_than(field(), TOP)
     yield Heading("What does it cost to linearise the law?")
     yield Prose(
@@ -47,8 +46,7 @@ def orders(kernels):
         "one of them alone, or all three of one size with any signs. The mirrors stand round the "
         f"tower as before, with normals up to {TOP:g} degrees high."
     )
-    for k, what in enumerate(("normal", "beam")):
-        yield table(kernels, points, k, what)
+    yield from tables(kernels, points)
     yield from by_size(kernels, points)
     yield closed_form(kernels, points)
     yield Heading("When is first order enough?")
@@ -72,19 +70,35 @@ def costs(kernels, points, order, combined, size):
     return astray(kernels, points, law(kernels, order)(**points, **machine), machine)
 
 
-def table(kernels, points, k, what):
-    """Root mean square and worst for each misalignment alone and for all."""
-    rows = []
-    for order, _ in ORDERS:
-        for name, combined in ALONE:
-            found = [costs(kernels, points, order, combined, size)[k] / MICRO for size in SIZES]
-            rows.append((f"{order} order, {name}", *map(rms, found), *(f.max() for f in found)))
-    heads = [Column(f"{kind} for {size:g}", "µrad") for kind in ("rms", "worst") for size in SIZES]
-    return Table(
-        f"Angle between the {what} and the one that is wanted, with the truncated laws and "
-        f"misalignments of {SIZES[0]:g} to {SIZES[-1]:g} mrad.",
-        ["law", *heads],
-        rows,
+def tables(kernels, points):
+    """Root mean square and worst for each misalignment alone and for all, of normal and beam."""
+    cells = {
+        (order, name): [costs(kernels, points, order, combined, size) for size in SIZES]
+        for order, _ in ORDERS
+        for name, combined in ALONE
+    }
+    for kind, over in (("Root mean square", rms), ("Worst", np.max)):
+        rows = [
+            (order, name, what, *(over(found[k]) / MICRO for found in cells[order, name]))
+            for order, name in cells
+            for k, what in enumerate(("normal", "beam"))
+        ]
+        heads = [Column(f"for {size:g} mrad", "µrad") for size in SIZES]
+        yield Table(
+            f"{kind} over the same sky of the angle between normal or beam and the one that is "
+            f"wanted, with the truncated laws and misalignments of {SIZES[0]:g} to "
+            f"{SIZES[-1]:g} mrad.",
+            ["order", "misaligned", "angle of", *heads],
+            rows,
+        )
+    alone = [cells["first", name][-1][0].max() / MICRO for name, _ in ALONE[:-1]]
+    every = [cells["first", ALONE[-1][0]][k] for k in (0, -1)]
+    yield Prose(
+        f"**Linearised, {SIZES[-1]:g} mrad of $\\theta$, $\\psi$ or $\\chi$ alone cost up to "
+        f"{spelled(alone, '.0f')} µrad of normal; all three together cost up to "
+        f"{every[0][0].max() / MICRO:.1f} µrad of normal and {every[0][1].max() / MICRO:.1f} of "
+        f"beam at {SIZES[0]:g} mrad, {every[1][0].max() / MILLI:.2f} and "
+        f"{every[1][1].max() / MILLI:.2f} mrad at {SIZES[-1]:g} mrad.**"
     )
 
 
@@ -134,18 +148,18 @@ def closed_form(kernels, points):
     facing_sun = [
         costs(kernels, facing(), order, SIGNS, SIZES[-1])[0].max() / MICRO for order, _ in ORDERS
     ]
+    top = elevation_of(facing()["c"]).max()
     return Prose(
         "What first order leaves out of the normal is, across and up, "
         "$\\cos E \\, [\\, p \\chi (1 + t^2) + p w (t^2 + \\tfrac{1}{2}) - "
         "\\tfrac{1}{2} \\theta \\psi \\,]$ and $\\tfrac{1}{2} t (\\chi^2 - w^2)$, with "
         "$t = \\tan E$ and the leans towards the normal and across, "
         "$p = \\theta \\cos A + \\psi \\sin A$ and $w = \\theta \\sin A - \\psi \\cos A$. It is "
-        f"within {100 * off[0]:.1g} % of the worst exact angle at {SIZES[0]:g} mrad and within "
-        f"{100 * off[1]:.1g} % at {SIZES[-1]:g} mrad. $\\chi$ alone costs "
+        f"within {100 * off[0]:.1g}% of the worst exact angle at {SIZES[0]:g} mrad and within "
+        f"{100 * off[1]:.1g}% at {SIZES[-1]:g} mrad. $\\chi$ alone costs "
         "$\\tfrac{1}{2} \\chi^2 \\tan E$, all of it in elevation. A mirror that faces the sun has "
-        f"its normal no higher than {elevation_of(facing()['c']).max():.1f} degrees; with all three "
-        f"at {SIZES[-1]:g} mrad the two laws leave at most {facing_sun[0]:.0f} and "
-        f"{facing_sun[1]:.1f} µrad there."
+        f"its normal no higher than {top:.1f} degrees; with all three at {SIZES[-1]:g} mrad the "
+        f"two laws leave at most {facing_sun[0]:.0f} and {facing_sun[1]:.1f} µrad there."
     )
 
 
@@ -157,14 +171,14 @@ def by_elevation(kernels):
     rise = np.append(np.arange(2.5, 85.0, 2.5), (85.0, 86.0, 87.0))
     curves = []
     for order, _ in ORDERS:
-        for size in (SIZES[0], 3.0, SIZES[-1]):
+        for size in (SIZES[0], SIZES[-1]):
             found = [costs(kernels, around(e), order, SIGNS, size)[0].max() for e in rise]
-            curves.append(Curve(f"{order}, {size:g} mrad", rise, np.array(found) / MILLI))
+            curves.append(Curve(f"{order} order, {size:g} mrad", rise, np.array(found) / MILLI))
     return Plot(
         "Worst angle of the normal with the laws of first and second order, all round and for any "
-        "signs, for misalignments of three sizes.",
+        "signs, for misalignments of two sizes.",
         "elevation of the normal, degrees",
-        Axis("angle of the normal, mrad", log=True, low=1e-6),
+        Axis("angle of the normal, mrad", log=True),
         curves,
         [Mark(ENOUGH, f"{ENOUGH:g} mrad")],
     )

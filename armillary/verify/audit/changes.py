@@ -85,7 +85,7 @@ class Changes:
                               f"{plain(term)}", flipped)  # fmt: skip
             if len(terms) > 1:
                 without = _summed([*terms[:k], *terms[k + 1 :]])
-                yield _change("term", f"without the term {plain(term)}", without)
+                yield _change("term", f"the term {plain(term)} left out", without)
             if len(terms) > 1 or top:
                 yield _change("factor", f"twice {plain(term)}", put(s.multiply(s.number(2), term)))
                 for lost in self.pool.factors():
@@ -99,8 +99,8 @@ class Changes:
         unit = self.pool.unit(node)
         for name in self.pool.met:
             if unit is None or self.pool.unit(name) == unit:
-                for sign, term in (("plus", name), ("minus", s.negate(name))):
-                    words = f"{sign} {plain(name)} added"
+                for done, term in (("added", name), ("subtracted", s.negate(name))):
+                    words = f"{plain(name)} {done}"
                     yield Change("lost term", words, LOST, s.add(node, term))
 
     def product(self, node: s.Scalar) -> Iterator[Change]:
@@ -115,7 +115,7 @@ class Changes:
                 return _multiplied([*parts[:k], new, *parts[k + 1 :]])
 
             without = _multiplied([*parts[:k], *parts[k + 1 :]])
-            yield _change("factor", f"without the factor {plain(part)}", without)
+            yield _change("factor", f"the factor {plain(part)} left out", without)
             if not isinstance(part, s.Number):
                 twice = put(s.multiply(part, part))
                 yield _change("factor", f"the square of {plain(part)}", twice)
@@ -148,14 +148,14 @@ class Changes:
     @inside.register
     def _(self, node: s.Divide) -> Iterator[Change]:
         top, below = node.numerator, node.denominator
-        yield _change("factor", f"without the divisor {plain(below)}", top)
+        yield _change("factor", f"the divisor {plain(below)} left out", top)
         yield _change("factor", f"times {plain(below)} for divided by it", s.multiply(top, below))
         yield from _carried(self.inside(top), lambda new: s.divide(new, below))
         yield from _carried(self.inside(below), lambda new: s.divide(top, new))
 
     @inside.register
     def _(self, node: s.SquareRoot) -> Iterator[Change]:
-        yield _change("function", "without the root", node.argument)
+        yield _change("function", "the root left out", node.argument)
         yield from _carried(self.inside(node.argument), s.SquareRoot)
 
     @inside.register
@@ -183,7 +183,7 @@ class Changes:
 
     @inside.register
     def _(self, node: s.Absolute) -> Iterator[Change]:
-        yield _change("function", "without the absolute value", node.argument)
+        yield _change("function", "the absolute value left out", node.argument)
         yield from _carried(self.inside(node.argument), s.Absolute)
 
     @inside.register
@@ -228,7 +228,7 @@ class Changes:
                               f"{plain(term)}", flipped)  # fmt: skip
             if len(terms) > 1:
                 without = _vectors_summed([*terms[:k], *terms[k + 1 :]])
-                yield _change("term", f"without the term {plain(term)}", without)
+                yield _change("term", f"the term {plain(term)} left out", without)
             yield from _carried(self.inside(term), put)
 
     @inside.register
@@ -246,7 +246,7 @@ class Changes:
     @inside.register
     def _(self, node: v.Scaled) -> Iterator[Change]:
         factor, vector = node.factor, node.vector
-        yield _change("factor", f"without the factor {plain(factor)}", vector)
+        yield _change("factor", f"the factor {plain(factor)} left out", vector)
         yield from _carried(self.inside(factor), lambda new: v.scale(new, vector))
         yield from _carried(self.inside(vector), lambda new: v.scale(factor, new))
 
@@ -258,7 +258,7 @@ class Changes:
 
     @inside.register
     def _(self, node: v.Unit) -> Iterator[Change]:
-        yield _change("function", "without the division by the length", node.vector)
+        yield _change("function", "the division by the length left out", node.vector)
         yield from _carried(self.inside(node.vector), v.Unit)
 
     @inside.register

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.algebra.rigid import Pose
+from armillary.algebra.rotation import Rotation
 from armillary.derivation.entries import Rows, rows_of, shape_of
 from armillary.derivation.paper import Equation, Paper
 from armillary.derivation.record import Derivation
@@ -42,14 +43,29 @@ def other_claims(sides: Sides, equation: Equation, paper: Paper) -> Iterator[Cla
         if isinstance(equation.claims, Pose):
             inverse = rows_of(equation.claims.inverse())
             yield Claim("transposition", "the inverse of what is derived", inverse)
+    if sides.shape == (1, 1) and sides.bench.turns(derived[0][0]):
+        yield from _complements(derived[0][0])
     yield from _elsewhere(equation, paper, sides.shape)
     yield from _of_other_products(equation, sides)
+
+
+def _complements(angle: s.Scalar) -> Iterator[Claim]:
+    """An angle counted from elsewhere: from the zenith, from the south, the other way round."""
+    half = s.divide(s.PI, s.number(2))
+    for words, other in (
+        ("90 deg less what is derived", half - angle),
+        ("what is derived less 90 deg", angle - half),
+        ("what is derived and 90 deg more", angle + half),
+        ("what is derived and 180 deg more", angle + s.PI),
+        ("180 deg less what is derived", s.PI - angle),
+    ):
+        yield Claim("definition", words, ((other,),))
 
 
 def instead(equation: Equation, paper: Paper) -> list[Block]:
     """All blocks that the claim may be replaced with: their quantities are needed to try them."""
     near: list[Block] = [d.value for d in _near(equation.claims, paper)]
-    near += [rotation for _, rotation in equation.frames]
+    near += [rotation for _, rotation in _frames(equation, paper)]
     return near if equation.product is None else [*near, pose_of(equation.product.steps)]
 
 
@@ -74,7 +90,7 @@ def _elsewhere(equation: Equation, paper: Paper, shape: Place) -> Iterator[Claim
         ("frame" if vector else "definition", _told(d), rows_of(d.value)) for d in near
     ]  # fmt: skip
     if isinstance(equation.claims, v.Vector):
-        for name, rotation in equation.frames:
+        for name, rotation in _frames(equation, paper):
             back = rows_of(rotation.transpose() @ equation.claims)
             out = rows_of(rotation @ equation.claims)
             found.append(("frame", f"what is derived, turned by the transpose of {name}", back))
@@ -85,20 +101,34 @@ def _elsewhere(equation: Equation, paper: Paper, shape: Place) -> Iterator[Claim
         yield Claim(kind, f"minus {words}", negated(rows), 2)
 
 
+def _frames(equation: Equation, paper: Paper) -> list[tuple[str, Rotation]]:
+    """The rotations that are given, then those that the claim's own system defines."""
+    found = list(equation.frames)
+    home = _home(equation.claims, paper)
+    for definition in home.definitions.values() if home is not None else ():
+        value = definition.value
+        if isinstance(value, Pose):
+            found.append((f"the rotation of {definition.identifier}", value.rotation))
+        elif isinstance(value, Rotation):
+            found.append((definition.identifier, value))
+    return found
+
+
+def _home(claim: Block, paper: Paper) -> Derivation | None:
+    """The system whose definition a claim is."""
+    own = claimed(claim, paper)
+    return next((d for d in _systems(paper) if own in d.definitions.values()), None)
+
+
 def _near(claim: Block, paper: Paper) -> list[Definition]:
     """The other definitions of the claim's own system, of its unit."""
-    own = claimed(claim, paper)
-    if own is None or (isinstance(claim, s.Scalar) and not _is_whole(claim, own)):
+    own, home = claimed(claim, paper), _home(claim, paper)
+    if own is None or home is None or (isinstance(claim, s.Scalar) and claim is not own.value):
         return []
-    home = next(d for d in _systems(paper) if d.definitions.get(own.name) is own)
     return [
         d for d in home.definitions.values()
         if d is not own and d.unit == own.unit and not isinstance(d.value, s.Condition)
     ]  # fmt: skip
-
-
-def _is_whole(claim: Block, own: Definition) -> bool:
-    return claim is own.value
 
 
 def _systems(paper: Derivation) -> list[Derivation]:

@@ -27,14 +27,15 @@ def mixed_order(sides: Sides, order: int) -> str:
     lacks = [place for place in sides.places if _lacks(sides, place, order + 1)]
     if not lacks:
         return ""
+    kept = []
     for k in range(order + 1, order + 1 + _BEYOND):
         keeps = [place for place in sides.places if place not in lacks and _keeps(sides, place, k)]
         if keeps:
-            return (
-                f"mixed order: {told(keeps)} {_verb(keeps, 'keep')} terms of order {k}, "
-                f"{told(lacks)} {_verb(lacks, 'lack')} those of order {order + 1}"
-            )
-    return ""
+            kept.append(f"{told(keeps)} {_verb(keeps, 'keep')} terms of order {k}")
+    if not kept:
+        return ""
+    missing = f"{told(lacks)} {_verb(lacks, 'lack')} those of order {order + 1}"
+    return f"mixed order: {', '.join([*kept, missing])}"
 
 
 def coefficient(bench: Bench, node: s.Scalar, k: int) -> Any:

@@ -29,6 +29,7 @@ ORDERED = list(Verdict)
 # A print that holds for another thing of these kinds was no slip of the pen.
 _FAR = ("frame", "definition", "special value", "order of factors")
 _UNDEFINED = 0.05
+_PATIENCE = 2  # entries without a small repair, after which the others get no deep search
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,16 +75,16 @@ def _explained(
     if not bad:
         return None
     one = sides.shape == (1, 1)
-    whole = None if one else whole_repair(sides, equation, paper, printed, changes)
-    repairs: dict[Place, Repair] = {}
-    if (whole is None or whole[0].size >= len(bad)) and is_written_out(printed):
-        repairs = _entry_repairs(sides, changes, latex)
+    whole: tuple[Repair, Block | None] | None = None
+    repairs = _entry_repairs(sides, changes, latex, deep=False) if one else {}
+    if not repairs:
+        whole = whole_repair(sides, equation, paper, printed, changes)
+    if not repairs and (whole is None or whole[0].size >= (2 if one else len(bad))):
+        repairs = _entry_repairs(sides, changes, latex) if is_written_out(printed) else {}
     if len(repairs) == len(bad) and (
         whole is None or whole[0].size >= sum(r.size for r in repairs.values())
     ):
         return Explained(None, worst_of(map(verdict_of, repairs.values())), repairs)
-    if one:
-        whole = whole_repair(sides, equation, paper, printed, changes)
     if whole is not None:
         repair, block = whole
         if block is not None and latex is not None:
@@ -93,13 +94,17 @@ def _explained(
     return Explained(special, Verdict.WRONG, repairs)
 
 
-def _entry_repairs(sides: Sides, changes: Changes, latex: Latex | None) -> dict[Place, Repair]:
+def _entry_repairs(
+    sides: Sides, changes: Changes, latex: Latex | None, deep: bool = True
+) -> dict[Place, Repair]:
+    """The smallest repair of each bad entry that has one; `deep` tries two changes at once."""
     found = {}
-    failed = 0
+    failed = 0 if deep else _PATIENCE
     for place in sides.bad:
         printed, derived = sides.pair(place)
-        # Where several entries have no small repair, the others are searched less deeply.
-        repair = entry_repair(sides.bench, printed, derived, changes, latex, deep=failed < 2)
+        repair = entry_repair(
+            sides.bench, printed, derived, changes, latex, deep=failed < _PATIENCE
+        )
         if repair is None:
             failed += 1
         else:

@@ -17,11 +17,13 @@ def number(value: float, unit: str = "") -> str:
 
 def two_numbers(first: float, second: float, unit: str) -> tuple[str, str]:
     """Two values with as many digits as it takes to tell them apart, and their unit."""
-    for digits in range(3, 17):
-        a, b = f"{first:.{digits}g}", f"{second:.{digits}g}"
+    a, b = f"{first:.3g}", f"{second:.3g}"
+    for digits in range(4, 17):
         apart = abs(float(a) - float(b))
         if abs(apart - abs(first - second)) <= 0.1 * abs(first - second):
             break
+        # Zeros at the end stay: they say that the digits agree so far.
+        a, b = (f"{value:#.{digits}g}".rstrip(".") for value in (first, second))
     return _with(a, unit), _with(b, unit)
 
 

@@ -386,8 +386,8 @@ def target(*, position, aim_point, theta=None, psi=None, chi=None, alpha_0=None,
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
-        ("position", position, -1000000.0, 1000000.0, (2.5, 2.5, 2.5), False),
-        ("aim_point", aim_point, -1000000.0, 1000000.0, (2.5, 2.5, 2.5), False),
+        ("position", position, -1000000.0, 1000000.0, (250.0, 250.0, 250.0), False),
+        ("aim_point", aim_point, -1000000.0, 1000000.0, (250.0, 250.0, 250.0), False),
     )
     xp = call.xp
     (position_x, position_y, position_z, aim_point_x, aim_point_y, aim_point_z) = call.values
@@ -445,8 +445,8 @@ def miss(*, c, alpha, beta, position, aim_point, theta, psi, chi, alpha_0=None, 
         ("c", c, -1.001, 1.001, (0.48, 0.6, 0.64), True),
         ("alpha", alpha, -1000.0, 1000.0, 0.8),
         ("beta", beta, -1000.0, 1000.0, 0.8),
-        ("position", position, -1000000.0, 1000000.0, (2.5, 2.5, 2.5), False),
-        ("aim_point", aim_point, -1000000.0, 1000000.0, (2.5, 2.5, 2.5), False),
+        ("position", position, -1000000.0, 1000000.0, (250.0, 250.0, 250.0), False),
+        ("aim_point", aim_point, -1000000.0, 1000000.0, (250.0, 250.0, 250.0), False),
         ("theta", theta, -1000.0, 1000.0, 0.075),
         ("psi", psi, -1000.0, 1000.0, 0.075),
         ("chi", chi, -1.5, 1.5, 0.075),

@@ -129,6 +129,18 @@ def test_another_frame_is_no_misprint(arm, minus):
     assert whole.words == f"{'minus ' if minus else ''}arm-w_tip, speed, inside"
 
 
+def test_an_angle_counted_from_elsewhere(arm):
+    a = arm.d.unit_vector("a", "direction")
+    up, across = a.z, sqrt(a.x * a.x + a.y * a.y)
+    arm.p.equation("1", words="elevation", claims=atan2(up, across), printed=atan2(across, up) * 1)
+    arm.p.equation("2", words="azimuth", claims=atan2(a.x, a.y), printed=atan2(-a.x, -a.y))
+    first, second = audit(arm.p)
+    # The arguments of atan2 exchanged are a slip of the print, the smaller explanation.
+    assert first.readings[0].entries[0].repair.kind == "function"
+    assert second.verdict is Verdict.WRONG
+    assert second.readings[0].whole.words == "what is derived and 180 deg more"
+
+
 def test_a_frame_that_is_given(arm):
     turned = arm.chain.rotation("ground", "tip")
     a = arm.d.unit_vector("a", "direction")
@@ -137,6 +149,14 @@ def test_a_frame_that_is_given(arm):
     )
     whole = only(arm).readings[0].whole
     assert whole.words == "what is derived, turned by the transpose of ground_R_tip"
+
+
+def test_a_frame_that_the_system_defines(arm):
+    a = arm.d.unit_vector("a", "direction")
+    seen = arm.d.define("seen", arm.R @ a, because="from the ground")
+    arm.p.equation("1", words="direction", claims=seen, printed=-(arm.R @ (arm.R @ a)))
+    whole = only(arm).readings[0].whole
+    assert whole.words == "minus what is derived, turned by the rotation of arm-M"
 
 
 def test_a_column_of_another_product(arm):
@@ -340,6 +360,6 @@ def test_a_lost_factor_a_lost_term_and_a_number(arm):
     first, second = audit(arm.p)
     assert first.verdict is Verdict.MISPRINT
     assert [e.repair and e.repair.words for e in first.readings[0].entries] == [
-        "sin(g) L_2 times cos(u)", None, "plus L_1 added",
+        "sin(g) L_2 times cos(u)", None, "L_1 added",
     ]  # fmt: skip
     assert second.readings[0].entries[0].repair.words == "365 for 366"

@@ -161,9 +161,9 @@ int heliostat_beam_f32(
  * Cost: 13 flops (6 mul, 5 add, 1 div, 1 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] position where the mirror stands, m, refused outside [-1e+06, 1e+06], working range
- *     [-10, 10]
+ *     [-1000, 1000]
  * @param[in] aim_point point of the receiver to be lit, m, refused outside [-1e+06, 1e+06],
- *     working range [-10, 10]
+ *     working range [-1000, 1000]
  * @param[out] b unit vector from the mirror to the aim point (heliostat-b_target)
  * @param[out] distance distance from the mirror to the aim point, m (heliostat-distance)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -186,9 +186,9 @@ int heliostat_target_f32(
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
  *     [-1000, 1000], working range [-3.2, 3.2]
  * @param[in] position where the mirror stands, m, refused outside [-1e+06, 1e+06], working range
- *     [-10, 10]
+ *     [-1000, 1000]
  * @param[in] aim_point point of the receiver to be lit, m, refused outside [-1e+06, 1e+06],
- *     working range [-10, 10]
+ *     working range [-1000, 1000]
  * @param[out] miss distance from the aim point at which the beam meets the plane that faces the
  *     mirror, m (heliostat-miss)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -669,9 +669,9 @@ int heliostat_beam_f64(
  * Cost: 13 flops (6 mul, 5 add, 1 div, 1 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] position where the mirror stands, m, refused outside [-1e+06, 1e+06], working range
- *     [-10, 10]
+ *     [-1000, 1000]
  * @param[in] aim_point point of the receiver to be lit, m, refused outside [-1e+06, 1e+06],
- *     working range [-10, 10]
+ *     working range [-1000, 1000]
  * @param[out] b unit vector from the mirror to the aim point (heliostat-b_target)
  * @param[out] distance distance from the mirror to the aim point, m (heliostat-distance)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -694,9 +694,9 @@ int heliostat_target_f64(
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
  *     [-1000, 1000], working range [-3.2, 3.2]
  * @param[in] position where the mirror stands, m, refused outside [-1e+06, 1e+06], working range
- *     [-10, 10]
+ *     [-1000, 1000]
  * @param[in] aim_point point of the receiver to be lit, m, refused outside [-1e+06, 1e+06],
- *     working range [-10, 10]
+ *     working range [-1000, 1000]
  * @param[out] miss distance from the aim point at which the beam meets the plane that faces the
  *     mirror, m (heliostat-miss)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE

@@ -9,18 +9,19 @@ from .rays import unit
 from .sky import IDEAL, MILLI, UP, beam_shift, exactly, middle
 
 STEPS = 2**14  # of an encoder, in a turn
+PLAY = 1.0  # mrad, of a gear
 SAMPLES = 100_000
 SEED = 20180319
 
 
 def normal(sigma):
     """A normal distribution."""
-    return sigma, f"normal, {sigma:g} mrad", lambda random, shape: random.normal(0, sigma, shape)
+    return sigma, "normal", lambda random, shape: random.normal(0, sigma, shape)
 
 
-def uniform(half, words):
+def uniform(half):
     """Anything between two ends alike."""
-    sigma = half / np.sqrt(3)
+    sigma, words = half / np.sqrt(3), f"uniform, ±{half:.2g} mrad"
     return sigma, words, lambda random, shape: random.uniform(-half, half, shape)
 
 
@@ -29,6 +30,7 @@ class Error:
     """An error of the introduction.
 
     Attributes:
+        mark: its symbol in plain letters.
         of: what is off: "sun", "receiver", "drives", or a misalignment. A direction is off both
             ways across; so are both drives, each on its own.
         sigma: standard deviation in mrad.
@@ -38,6 +40,7 @@ class Error:
 
     name: str
     symbol: str
+    mark: str
     of: str
     sigma: float
     words: str
@@ -52,18 +55,15 @@ class Error:
 WAYS = ("sun", "receiver", "drives")
 STEP = 2 * np.pi / STEPS / MILLI
 ERRORS = (
-    Error("law of motion", "$\\Delta_M$", "sun", *normal(0.2)),
-    Error("reflected beam", "$\\Delta_{NO}$", "receiver", *normal(0.5)),
-    Error("base marks", "$\\Delta_N$", "drives", *normal(0.3)),
-    Error(
-        "encoders", "$\\Delta_{NY}$", "drives",
-        *uniform(STEP / 2, f"uniform, one step of {STEP:.2f} mrad"),
-    ),
-    Error("gears", "$\\Delta_P$", "drives", *uniform(0.5, "uniform, play of 1 mrad")),
-    Error("lean to the north", "$\\Delta_O$: $\\theta$", "theta", *normal(0.5)),
-    Error("lean to the east", "$\\Delta_O$: $\\psi$", "psi", *normal(0.5)),
-    Error("inclination", "$\\Delta_O$: $\\chi$", "chi", *normal(0.5)),
-)  # fmt: skip
+    Error("law of motion", "$\\Delta_M$", "ΔM", "sun", *normal(0.2)),
+    Error("reflected beam", "$\\Delta_{NO}$", "ΔNO", "receiver", *normal(0.5)),
+    Error("base marks", "$\\Delta_N$", "ΔN", "drives", *normal(0.3)),
+    Error("encoders", "$\\Delta_{NY}$", "ΔNY", "drives", *uniform(STEP / 2)),
+    Error("gears", "$\\Delta_P$", "ΔP", "drives", *uniform(PLAY / 2)),
+    Error("lean to the north", "$\\Delta_O{:}\\,\\theta$", "θ", "theta", *normal(0.5)),
+    Error("lean to the east", "$\\Delta_O{:}\\,\\psi$", "ψ", "psi", *normal(0.5)),
+    Error("inclination", "$\\Delta_O{:}\\,\\chi$", "χ", "chi", *normal(0.5)),
+)
 
 
 @dataclass(frozen=True)
