@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from armillary.derivation.beside import files_of
-from mutation.judge import ROOT, Judgement, judge
+from mutation.judge import ROOT, Judgement, failing, judge
 from mutation.operators import Mutant, mutants
 from mutation.table import Row, lost, share, write
 
@@ -63,10 +63,17 @@ def all_tasks(chosen: Sequence[str]) -> Iterator[Task]:
 
 
 def judged(tasks: Sequence[Task]) -> Iterator[Row]:
-    """The mutants with what became of them, each in a process of its own."""
+    """The mutants with what became of them, each in a process of its own.
+
+    Raises:
+        SystemExit: if a system fails its checks as it stands.
+    """
     _load_engines()
     context = multiprocessing.get_context("fork")
     with context.Pool(os.cpu_count() or 1, maxtasksperchild=1) as pool:
+        for system, check in pool.imap(failing, sorted({task.system for task in tasks})):
+            if check:
+                sys.exit(f"{system} fails its own checks, every change of it would: {check}")
         for done, (task, found) in enumerate(pool.imap(_judge, tasks, chunksize=1), 1):
             m = task.mutant
             if done % 20 == 0 or done == len(tasks):

@@ -9,6 +9,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from mutation.judge import REFUSED
+
 FOLDER = Path(__file__).resolve().parent
 RESULTS, PAGE, REASONS = FOLDER / "results.json", FOLDER / "RESULTS.md", FOLDER / "survivors.toml"
 COUNTED = ("killed", "survived")
@@ -80,24 +82,23 @@ def page(rows: Sequence[Row]) -> str:
         "Each row counts small changes of a derivation's source: a flipped sign, a sine for a "
         "cosine, two factors exchanged, a term or a joint left out. A change is *killed* when a "
         "check of `armillary check` fails (identities, dual numbers, independent engines), or the "
-        "derivation is refused. Changes that alter no value of any definition or kernel are no "
-        "errors and are counted apart. `python -m mutation` makes this table."
+        "derivation is *refused*: it cannot be read, or has no real value. Refusals are counted "
+        "apart too, for many are exchanges that the algebra does not allow. Changes that alter no "
+        "value of any definition or kernel (*equal*), and those of what an identity states or a "
+        "picture shows (*no formula*), are no errors of a kernel and are left out of the share. "
+        "`python -m mutation` makes this table."
     )
     lines = [
         "# Mutation run",
         "",
         about,
         "",
-        "| system | killed | survived | share | equal in value |",
-        "|---|--:|--:|--:|--:|",
+        "| system | killed | of these refused | survived | share | equal | no formula |",
+        "|---|--:|--:|--:|--:|--:|--:|",
     ]
     for system in [*sorted({row.system for row in rows}), "all"]:
-        mine = Counter(row.state for row in rows if system in ("all", row.system))
-        counted = sum(mine[state] for state in COUNTED)
-        share = f"{mine['killed'] / counted:.1%}" if counted else "-"
-        lines.append(
-            f"| {system} | {mine['killed']} | {mine['survived']} | {share} | {mine['equivalent']} |"
-        )
+        mine = [row for row in rows if system in ("all", row.system)]
+        lines.append(f"| {system} | {_cells(mine)} |")
     lines += ["", "| kind | killed | survived |", "|---|--:|--:|"]
     for kind in sorted({row.kind for row in rows}):
         mine = Counter(row.state for row in rows if row.kind == kind)
@@ -113,3 +114,13 @@ def page(rows: Sequence[Row]) -> str:
     if not survivors:
         lines.append("None.")
     return "\n".join(lines) + "\n"
+
+
+def _cells(rows: Sequence[Row]) -> str:
+    """The counts of one line of the table."""
+    state = Counter(row.state for row in rows)
+    refused = sum(row.by.startswith(REFUSED) for row in rows)
+    counted = sum(state[s] for s in COUNTED)
+    part = f"{state['killed'] / counted:.1%}" if counted else "-"
+    cells = (state["killed"], refused, state["survived"], part, state["equivalent"])
+    return " | ".join(map(str, (*cells, state["unchanged"])))

@@ -103,9 +103,9 @@ def is_unit(node: v.Vector) -> bool:
     return isinstance(node, v.VectorSymbol) and node.unit_norm
 
 
-def normalised_in(node: v.Vector) -> v.Unit | None:
-    """The unit vector that a vector is, but for turns, names and its sign."""
-    while not isinstance(node, v.Unit):
+def of_the_same_length(node: v.Vector) -> v.Vector:
+    """The vector inside turns, signs and names, which leave a length alone."""
+    while True:
         if isinstance(node, v.Rotated) and keeps_norms(node.rotation):
             node = node.vector
         elif isinstance(node, v.VectorNegate):
@@ -113,5 +113,10 @@ def normalised_in(node: v.Vector) -> v.Unit | None:
         elif isinstance(node, v.VectorReference):
             node = node.expression
         else:
-            return None
-    return node
+            return node
+
+
+def normalised_in(node: v.Vector) -> v.Unit | None:
+    """The unit vector that a vector is, but for turns, names and its sign."""
+    inner = of_the_same_length(node)
+    return inner if isinstance(inner, v.Unit) else None

@@ -15,7 +15,7 @@ from armillary.algebra import folding as f
 from armillary.algebra import power_series as ps
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
-from armillary.algebra.direction import Elevation, OfDirection, is_unit
+from armillary.algebra.direction import Elevation, OfDirection, is_unit, of_the_same_length
 from armillary.algebra.misuse import MisuseError
 from armillary.algebra.power_series import ScalarJet, VectorJet
 from armillary.algebra.rotation import (
@@ -27,7 +27,7 @@ from armillary.algebra.rotation import (
     factors,
     rotate,
 )
-from armillary.algebra.scale import of_the_same_direction, of_the_same_length
+from armillary.algebra.scale import of_the_same_direction
 from armillary.algebra.vanishing import refuse_zero, vanishes
 
 
@@ -253,11 +253,6 @@ def _(node: s.ArcTangent, jets: Jets) -> ScalarJet:
     square = tuple(map(f.plus, ps.square(x, f.times), ps.square(y, f.times)))
     refuse_zero(square[0], "the point of an atan2", node)
     return ps.arc_tangent(y, x, square)
-
-
-@_scalar.register
-def _(node: s.ArcSine, jets: Jets) -> ScalarJet:
-    return jets.scalar(node.explicit())
 
 
 @_scalar.register

@@ -1,26 +1,10 @@
-"""What a length and a direction do not depend on.
-
-A turn, a sign and a name leave a length alone; a positive factor leaves a direction alone.
-"""
+"""What a direction does not depend on: a positive factor leaves it alone."""
 
 from __future__ import annotations
 
 from armillary.algebra import vector as v
 from armillary.algebra.direction import normalised_in
-from armillary.algebra.rotation import keeps_norms, rotate
-
-
-def of_the_same_length(node: v.Vector) -> v.Vector:
-    """The vector inside turns, signs and names."""
-    while True:
-        if isinstance(node, v.Rotated) and keeps_norms(node.rotation):
-            node = node.vector
-        elif isinstance(node, v.VectorNegate):
-            node = node.argument
-        elif isinstance(node, v.VectorReference):
-            node = node.expression
-        else:
-            return node
+from armillary.algebra.rotation import rotate
 
 
 def of_the_same_direction(node: v.Vector) -> v.Vector:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import linecache
 import re
 import sys
+from pathlib import Path
 
 import sympy
 
@@ -57,7 +58,7 @@ def _mend(problem: Exception, source: Source) -> str:
             f"`from armillary import {problem.name}` if it is a word of armillary"
         )
     if isinstance(problem, ImportError):
-        return _of_import(problem)
+        return _of_import(problem, source)
     if isinstance(problem, SyntaxError):
         return "complete this line, or the one before it, as Python wants it"
     if isinstance(problem, (TypeError, sympy.SympifyError)):
@@ -77,12 +78,14 @@ def _mend(problem: Exception, source: Source) -> str:
     return "mend this line; the derivation could not be read to its end"
 
 
-def _of_import(problem: ImportError) -> str:
+def _of_import(problem: ImportError, source: Source) -> str:
     package, _, module = (problem.name or "").partition(".")
     if package.startswith(PREFIX):
         return _of_beside(module, isinstance(problem, ModuleNotFoundError))
     if problem.name is None and "relative import" in str(problem):
         return '`d.use("name")` is the way to another system; imports stay in one folder'
+    if Path(source.path).with_name(f"{package}.py").is_file():
+        return f"write a point before its name, as it stands beside: from .{package} import ..."
     if package != "armillary":
         return (
             f"correct the spelling of {package}, or install it beside armillary; "

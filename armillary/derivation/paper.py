@@ -105,10 +105,15 @@ class Needed:
 
 @dataclass(frozen=True, eq=False)
 class Between:
-    """A sentence that says a value lies between two others, everywhere it is used."""
+    """A sentence that says a value lies between two others, everywhere it is used.
+
+    Attributes:
+        words: what the value is: "the angle between the axes".
+    """
 
     key: str
     quote: str
+    words: str
     value: s.Scalar
     low: s.Scalar
     high: s.Scalar
@@ -174,7 +179,15 @@ class Paper(Derivation):
         """
         source = caller()
         readings = printed if isinstance(printed, Mapping) else {"": printed}
+        if not readings:
+            raise DerivationError(
+                f"equation ({key}) has no reading", "give one way to read it at least", source
+            )
         self._check(key, claims, source)
+        if given is not None:
+            _check_kind(given, s.Condition, f"equation ({key}), given=", "a condition", source)
+            self._check(key, given, source)
+        _check_small(key, small, source)
         for block in readings.values():
             self._check(key, block, source)
             _check_shape(key, claims, block, source)
@@ -193,8 +206,15 @@ class Paper(Derivation):
             raise DerivationError(
                 f"{word!r} is no property of a matrix", f"say {', '.join(PROPERTIES)}", source
             )
-        for matrix in of.values():
+        if not of:
+            raise DerivationError(f"{key!r} is said of no matrix", "name one in of={...}", source)
+        for name, matrix in of.items():
             self._check(key, matrix, source)
+            rows, columns = shape_of(matrix)
+            if rows != columns:
+                raise DerivationError(
+                    f"{name} is {rows} by {columns}", f"only square matrices are {word}", source
+                )
         self._state(Word(key, quote, word, tuple(of.items()), source))
 
     def negligible(
@@ -209,6 +229,11 @@ class Paper(Derivation):
         """A sentence that calls `small` negligible beside others of its size."""
         source = caller()
         self._check(key, of, source)
+        if not beside:
+            raise DerivationError(
+                f"{key!r} compares with nothing", "name what is not small in beside=[...]", source
+            )
+        _check_small(key, (small, *beside), source)
         self._state(Negligible(key, quote, of, small, tuple(beside), source))
 
     def needed(
@@ -217,20 +242,33 @@ class Paper(Derivation):
         """A sentence that says `small` must be taken into account."""
         source = caller()
         self._check(key, of, source)
+        _check_small(key, small, source)
         self._state(Needed(key, quote, of, tuple(small), source))
 
     def between(
-        self, key: str, quote: str, value: s.Scalar, low: s.ScalarLike, high: s.ScalarLike
+        self,
+        key: str,
+        quote: str,
+        value: s.Scalar,
+        low: s.ScalarLike,
+        high: s.ScalarLike,
+        *,
+        words: str,
     ) -> None:
-        """A sentence that bounds a value."""
+        """A sentence that bounds a value; `words` say which: "the angle between the axes"."""
         source = caller()
         self._check(key, value, source)
-        self._state(Between(key, quote, value, s.as_scalar(low), s.as_scalar(high), source))
+        bounds = s.as_scalar(low), s.as_scalar(high)
+        self._state(Between(key, quote, words, value, *bounds, source))
 
     def spans(self, key: str, quote: str, turns: Rotation, angles: Sequence[Quantity]) -> None:
         """A sentence that says three turns reach every orientation."""
         source = caller()
         self._check(key, turns, source)
+        if len(angles) != 3:
+            raise DerivationError(
+                f"{key!r} names {len(angles)} angles of three turns", "name all three", source
+            )
         self._state(Spans(key, quote, turns, tuple(angles), source))
 
     def unchecked(self, key: str, words: str, reason: str) -> None:
@@ -249,6 +287,17 @@ class Paper(Derivation):
                 made.source,
             )
         self.printed[made.key] = made
+
+
+def _check_small(key: str, small: Sequence[Quantity], source: Source) -> None:
+    for quantity in small:
+        words = f"what is small in ({key})"
+        _check_kind(quantity, Quantity, words, "a quantity that was declared", source)
+
+
+def _check_kind(value: object, kind: type, words: str, wanted: str, source: Source) -> None:
+    if not isinstance(value, kind):
+        raise DerivationError(f"{words} is {value!r}", f"give {wanted}", source)
 
 
 def _check_shape(key: str, claims: Block, printed: Block, source: Source) -> None:

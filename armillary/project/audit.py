@@ -15,7 +15,15 @@ from armillary.site.notation import Notation
 from armillary.site.structure import Structure
 from armillary.verify.audit.audit import audit as compare
 from armillary.verify.audit.kept import Audit, audit_digest, counts, current, read, write
-from armillary.verify.audit.shown import about, figure, input_text, known_units, label, size, worst
+from armillary.verify.audit.shown import (
+    about,
+    error_text,
+    figure,
+    input_text,
+    known_units,
+    label,
+    size,
+)
 from armillary.verify.audit.verdict import Counterexample, Entry, Finding, Read, Verdict
 
 WIDTH = 100
@@ -100,22 +108,17 @@ def row(printed: str, finding: Finding, columns: tuple[int, ...]) -> Iterator[st
     if len(key) > columns[0]:
         yield f"  {key}"
         key = ""
-    yield _line(columns, key, finding.label, _error(finding), first)
+    yield _line(columns, key, finding.label, error_text(finding), first)
     for line in rest:
         yield _line(columns, "", "", "", line)
 
 
 def _columns(findings: Iterable[Finding]) -> tuple[int, ...]:
     """The widths of what stands before the words."""
-    found = [(len(f.key), len(f.label), len(_error(f))) for f in findings]
+    found = [(len(f.key), len(f.label), len(error_text(f))) for f in findings]
     heads = len("key"), len("verdict"), len("error up to")
     key, *others = map(max, zip(heads, *found, strict=True))
     return min(key, LONGEST_KEY), *others
-
-
-def _error(finding: Finding) -> str:
-    error = worst(finding)
-    return size(error, finding.unit) if error else ""
 
 
 def _line(columns: tuple[int, ...], *texts: str) -> str:
@@ -144,7 +147,7 @@ def _reading(read: Read, unit: str, units: Mapping[str, Unit]) -> Iterator[str]:
     if len(read.entries) > 1:
         yield from (f"        {_entry(entry, unit)}" for entry in read.entries)
     if read.counterexample is not None:
-        lines = counterexample(read.counterexample, unit, units)
+        lines = counterexample(read.counterexample, unit, units, len(read.entries) > 1)
         yield from wrap(lines, WIDTH, initial_indent=" " * 8, subsequent_indent=" " * 10)
 
 
@@ -155,11 +158,15 @@ def _entry(entry: Entry, unit: str) -> str:
     return f"row {entry.row}, column {entry.column}: {verdict}{repair}{error}"
 
 
-def counterexample(found: Counterexample, unit: str, units: Mapping[str, Unit]) -> str:
-    """A point at which print and derivation differ, in a line."""
+def counterexample(
+    found: Counterexample, unit: str, units: Mapping[str, Unit], several: bool = False
+) -> str:
+    """A point at which print and derivation differ, in a line; its entry, if there are several."""
     at = ", ".join(f"{name} = {input_text(v, units.get(name))}" for name, v in found.at.items())
     behind = f" {unit}" if unit not in ("", "1") else ""
+    place = f"row {found.row}, column {found.column} " if several else ""
+    where = f"{place}{f'at {at}' if at else 'everywhere'}"
     return (
-        f"at {at}: printed {figure(found.printed)}, derived {figure(found.derived)}{behind}, "
+        f"{where}: printed {figure(found.printed)}, derived {figure(found.derived)}{behind}, "
         f"difference {size(found.error, unit)}"
     )

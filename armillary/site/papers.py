@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from armillary.derivation.paper import Paper
+from armillary.derivation.paper import Negligible, Paper, Spans
 from armillary.derivation.papers import load_papers
 from armillary.derivation.quantity import Quantity, VectorQuantity
 from armillary.derivation.symbols import leaves
@@ -19,13 +19,13 @@ from armillary.site.explicit import Formula
 from armillary.site.notation import Notation, definition_latex
 from armillary.site.pages import Figure, first_sentence, render
 from armillary.site.plots import plot_html
-from armillary.site.prints import anchors, error_text, print_views
+from armillary.site.prints import anchors, print_views
 from armillary.site.references import Reference, reference_of
 from armillary.site.steps import Row, quantity_row
 from armillary.site.structure import Structure
 from armillary.site.verdicts import Badge, PrintLink, Prints, badge, key_label, plain_key
 from armillary.verify.audit.kept import counts, current, read
-from armillary.verify.audit.shown import about, label
+from armillary.verify.audit.shown import about, error_text, label
 from armillary.verify.audit.verdict import Finding, Verdict
 from armillary.verify.plots import Axis, Bars, Series
 
@@ -42,7 +42,7 @@ MEANINGS = {
 }
 # The least first: what a reader of the overview should see.
 _TELLING = (Verdict.WRONG, Verdict.MISPRINT, Verdict.SIGN, Verdict.AMBIGUOUS, Verdict.ORDER)
-_SHOWN = 5
+_SHOWN = 7
 _BARS = 4
 
 
@@ -224,10 +224,15 @@ def _in_short(finding: Finding) -> str:
 
 
 def _telling(audited: Audited) -> list[Line]:
-    """The findings that matter most: failing sentences before equations of the same verdict."""
+    """The findings that matter most: conclusions first, then numbered equations."""
     bad = [f for f in audited.findings.values() if f.verdict in _TELLING]
-    bad.sort(key=lambda f: (_TELLING.index(f.verdict), not f.quote))
-    return _lines(audited, bad[:_SHOWN])
+
+    def rank(finding: Finding) -> tuple[int, int]:
+        printed = audited.paper.printed[finding.key]
+        conclusion = isinstance(printed, (Negligible, Spans))
+        return (_TELLING.index(finding.verdict), 0 if conclusion else 2 if finding.quote else 1)
+
+    return _lines(audited, sorted(bad, key=rank)[:_SHOWN])
 
 
 def _quantity_rows(paper: Paper) -> list[Row]:

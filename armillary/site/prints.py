@@ -25,7 +25,7 @@ from armillary.site.notation import Notation, definition_latex, quantity_latex
 from armillary.site.steps import Link
 from armillary.site.structure import Structure, array
 from armillary.site.verdicts import Badge, badge, key_label
-from armillary.verify.audit.shown import figure, input_text, known_units, label, size, worst
+from armillary.verify.audit.shown import figure, input_text, known_units, label, size
 from armillary.verify.audit.verdict import Entry, Finding, Read, Repair, Verdict
 from armillary.verify.audit.words import reading as told
 
@@ -46,8 +46,9 @@ class EntryRow:
 
 @dataclass(frozen=True)
 class Example:
-    """A counterexample: the inputs with their LaTeX, and the two values."""
+    """A counterexample: its entry, the inputs with their LaTeX, and the two values."""
 
+    entry: str
     at: tuple[tuple[str, str], ...]
     printed: str
     derived: str
@@ -303,8 +304,9 @@ class _Views:
             for name, value in found.at.items()
         )
         behind = "" if unit == "1" else unit
+        entry = f"{found.row}, {found.column}" if len(read.entries) > 1 else ""
         return Example(
-            at, figure(found.printed), figure(found.derived), figure(found.error), behind
+            entry, at, figure(found.printed), figure(found.derived), figure(found.error), behind
         )
 
 
@@ -333,9 +335,3 @@ def repair_words(repair: Repair | None) -> str:
     if repair is None:
         return ""
     return repair.words + (f"; then it holds to order {repair.order}" if repair.order else "")
-
-
-def error_text(finding: Finding) -> str:
-    """The largest error of a print over the working ranges."""
-    found = worst(finding)
-    return size(found, finding.unit) if found else ""

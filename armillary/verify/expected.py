@@ -77,7 +77,9 @@ def expect(program: Program, row: exact.Row, epsilon: float, reals: Reals) -> Ex
         answer = exact.run(program, row, reals)
         values = {name: _reals(value) for name, value in answer.results.items()}
     except (ZeroDivisionError, TypeError, ValueError) as problem:
-        return Expected(refused, frozenset(guarded), {}, f"no real value: {problem}")
+        return Expected(
+            refused, frozenset(guarded), {}, f"no real value: {str(problem) or 'a division by 0'}"
+        )
     moved = _moved(program, row, epsilon, reals)
     statuses = {answer.status, *(status for status, _ in moved), *(g for g in guarded if g < 0)}
     if refused < 0:

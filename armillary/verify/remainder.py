@@ -115,8 +115,8 @@ def remainder_order(
 ) -> float:
     """The power by which an error falls, the least of some points; infinite where there is none.
 
-    All small quantities are scaled to a ten millionth of their value and halved together:
-    log2 of the error's ratio, order + 1 unless the leading term vanishes there.
+    All small quantities are scaled to 1e-5 of their value and halved together: log2 of the error's
+    ratio, order + 1 unless the leading term vanishes there.
     """
     exact, value = text_book(truncated.exact), text_book(truncated.value)
     least = math.inf

@@ -174,7 +174,10 @@ def _on_target(
     why = ""
     if tolerance is None:
         tolerance = tolerances.DEFAULT_ROUNDINGS * implementation.epsilon
-        why = f"no tolerance is committed; held to {tolerances.DEFAULT_ROUNDINGS} roundings"
+        why = (
+            f"no tolerance is committed; held to {tolerances.DEFAULT_ROUNDINGS} roundings; if this "
+            "is rounding, commit one with --update-tolerances"
+        )
     yield from parity.compare_target(reference, implementation, tolerance, why)
 
 

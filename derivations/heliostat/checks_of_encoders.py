@@ -6,6 +6,7 @@ from armillary import Status
 from armillary.verify.measured import compare
 from armillary.verify.points import chosen
 
+from .checks_of_errors import worst
 from .rays import COUNT, drives_everywhere, poses, tilts
 
 TURN = 2 * np.pi
@@ -114,6 +115,34 @@ def pointing_by_readings(kernels):
         "drive, encoder", slope, 2.0, 0.02, {"scale": 0.02}, "pointing", relative=False,
     )  # fmt: skip
     yield from _one_by_one(kernels, sky, n)
+    yield from _sizes(kernels)
+
+
+def _sizes(kernels):
+    """How far the law is off at most, all four errors that it truncates at their ends."""
+    for size, rise, bounds in ((0.3, 30, (0.9, 0.5)), (0.01, 60, (1.4e-3, 4e-4))):
+        points = worst(size, rise, ("theta", "psi", "chi", "collimation")) | {
+            "alpha_0": 0.0,
+            "beta_0": 0.0,
+        }
+        n = points.pop("c")
+        sky = {
+            "azimuth": np.arctan2(n[:, 0], n[:, 1]),
+            "elevation": np.arcsin(n[:, 2]),
+        }
+        errors = {name: a for name, a in points.items() if name != "b"}
+        aimed = kernels.drive(c=n, b=n, **errors)
+        read = kernels.encoder(alpha=aimed.alpha, beta=aimed.beta, **errors)
+        law = kernels.pointing(**sky, **errors)
+        for name, found, wanted, bound in (
+            ("azimuth", law.delta_azimuth, read.alpha_reading + np.pi - sky["azimuth"], bounds[0]),
+            ("elevation", law.delta_elevation, read.beta_reading - sky["elevation"], bounds[1]),
+        ):
+            yield compare(
+                f"{name} for errors of up to {size:g} rad, up to {rise} degrees high",
+                "drive, encoder", found, wanted, bound, {**sky, **errors}, "pointing",
+                relative=False, turn=True,
+            )  # fmt: skip
 
 
 def _one_by_one(kernels, sky, n):

@@ -75,6 +75,7 @@ def miss_by_intersection(kernels):
     n = normals(given, given["alpha"], given["beta"])
     ray = 2 * np.sum(given["c"] * n, axis=1, keepdims=True) * n - given["c"]
     astray = np.sum(ray * way, axis=1) <= 1e-6 * np.linalg.norm(way, axis=1)
+    astray |= np.sum(given["c"] * n, axis=1) <= 0
     yield compare(
         "a beam that goes elsewhere is told", "geometry", found.status,
         np.where(astray, Status.UNREACHABLE, Status.OK), 0.0, given, "miss",
@@ -84,6 +85,13 @@ def miss_by_intersection(kernels):
     yield compare(
         "miss, relative to the distance", "numpy.linalg.solve", found.miss[~astray] / reach,
         np.array(wanted) / reach, 1e-12, chosen(given, ~astray), "miss",
+    )  # fmt: skip
+    turned = {**given, "alpha": given["alpha"] + np.pi, "beta": -given["beta"]}
+    facing = np.sum(given["c"] * normals(turned, turned["alpha"], turned["beta"]), axis=1)
+    dark = chosen(turned, facing < 0)
+    yield compare(
+        "a mirror that turns its back to the sun is told", "geometry",
+        kernels.miss(**exact(**dark)).status, Status.UNREACHABLE, 0.0, dark, "miss",
     )  # fmt: skip
 
 

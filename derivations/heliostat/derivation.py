@@ -33,6 +33,7 @@ from .optics import (
     miss,
     on_mirror,
     opposed,
+    unlit,
     wanted,
 )
 from .drive import (
@@ -58,6 +59,7 @@ from .series import (
     beta_first,
     beta_second,
     law_cases,
+    overhead,
 )
 from .encoder import (
     AN,
@@ -79,6 +81,7 @@ from .encoder import (
 
 derivation = d
 drives = {"alpha": alpha_drive, "beta": beta_drive}
+CONDITION = "What is rounded grows in it by at most 1 / cos(beta)^2, relative to its largest entry."
 regular = cases_of(aim)
 no_normal = regular[0]
 
@@ -100,8 +103,9 @@ d.kernel(
     "chain_first_order",
     inputs=[latitude, alpha, beta],
     outputs={"L_R_E": L_R_E, "I_R_L": I_R_L_1, "H_R_I": H_R_I_1},
-    summary="The same to first order in theta, psi and chi: what is returned is no rotation, and "
-    "off by half the square of the errors.",
+    summary="Rotations from the equator to the mirror to first order in theta, psi and chi, in the "
+    "paper's axes. They are no rotations any more: I_R_L is off by at most half the square of "
+    "|theta| + |psi|, H_R_I by half that of chi; 0.18 and 0.045 for 0.3 rad.",
 )
 
 # ---- optics ----
@@ -143,6 +147,7 @@ d.kernel(
             astray,
             "the beam leaves across the way, or backwards",
         ),
+        (Status.UNREACHABLE, unlit, "the sun stands behind the mirror"),
     ],
     summary="How far from the aim point the beam's axis lands, on the plane through it that faces "
     "the mirror.",
@@ -163,22 +168,24 @@ d.kernel(
     inputs=[c, b],
     outputs={"alpha": alpha_back, "beta": beta_back},
     cases=regular,
-    summary="The same over the top, back branch: cos(beta) <= 0.",
+    summary="Drive angles that send the sun to the receiver, back branch, over the top: "
+    "cos(beta) <= 0.",
 )
 d.kernel(
     "drive_nearest",
     inputs=[c, b],
     outputs=drives,
     cases=cases_of_nearest(aim),
-    summary="The same, front branch; in the blind cone the pose whose normal is nearest, at the "
-    "edge of the cone and at the same azimuth.",
+    summary="Drive angles that send the sun to the receiver, front branch; in the blind cone those "
+    "of the nearest normal that can be had, at the edge of the cone and at the same azimuth.",
 )
 d.kernel(
     "track",
     inputs=[latitude, declination, hour_angle, b],
     outputs={"alpha": alpha_track, "beta": beta_track},
     cases=cases_of(aim_sun),
-    summary="Drive angles, front branch, for the sun at a place and hour.",
+    summary="Drive angles, front branch, for the sun at a place and hour. A sun below the horizon "
+    "is followed too.",
 )
 d.kernel(
     "drive_rates",
@@ -194,7 +201,7 @@ d.kernel(
     outputs=[J],
     cases=regular,
     summary="Derivatives of the drive angles by theta, psi and chi, front branch. Where the status "
-    "is SINGULAR the azimuth drive is held.",
+    f"is SINGULAR the azimuth drive is held. {CONDITION}",
 )
 d.kernel(
     "drive_response",
@@ -202,7 +209,7 @@ d.kernel(
     outputs={"J_c": response, "J_b": response},
     cases=regular,
     summary="Derivatives of the drive angles by the components of c and of b, which are the same. "
-    "Where the status is SINGULAR the azimuth drive is held.",
+    f"Where the status is SINGULAR the azimuth drive is held. {CONDITION}",
 )
 d.kernel(
     "drive_first_order",
@@ -210,7 +217,9 @@ d.kernel(
     outputs={"alpha": alpha_first, "beta": beta_first},
     cases=law_cases,
     summary="Drive angles to first order in theta, psi and chi; alpha is not brought back into "
-    "[-pi, pi].",
+    "[-pi, pi]. All three of 10 mrad and normals up to 60 degrees high: alpha is off by at most "
+    "0.9 mrad, beta by 0.2; all three of 0.3 rad, up to 45 degrees: by 0.75 and 0.16 rad. Towards "
+    "the zenith the error grows without end, and the blind cone is not told.",
 )
 d.kernel(
     "drive_second_order",
@@ -218,7 +227,9 @@ d.kernel(
     outputs={"alpha": alpha_second, "beta": beta_second},
     cases=law_cases,
     summary="Drive angles to second order in theta, psi and chi; alpha is not brought back into "
-    "[-pi, pi].",
+    "[-pi, pi]. All three of 10 mrad and normals up to 60 degrees high: alpha is off by at most "
+    "0.02 mrad, beta by 0.003; all three of 0.3 rad, up to 45 degrees: by 0.43 and 0.11 rad. "
+    "Towards the zenith the error grows without end, and the blind cone is not told.",
 )
 
 # ---- errors ----
@@ -227,7 +238,14 @@ d.kernel(
     "error_angles",
     inputs=[c, b],
     outputs=[Delta_A, Delta_h],
-    cases=regular,
+    cases=[
+        *regular,
+        (
+            Status.SINGULAR,
+            overhead,
+            "the normal is within 1e-6 of the zenith or the nadir: alpha of ideal axes counts as 0",
+        ),
+    ],
     summary="Drive angles for ideal axes minus those for the real ones.",
 )
 d.kernel(
@@ -268,16 +286,26 @@ d.kernel(
         (
             Status.SINGULAR,
             at_zenith,
-            "the normal is within 1e-6 of the zenith or the nadir: only IA is returned",
+            "the normal is within 1e-6 of the zenith or the nadir: delta_azimuth is IA alone",
         )
     ],
-    summary="Reading minus azimuth and elevation of the normal, to first order in all six errors.",
+    summary="Reading minus azimuth and elevation of the normal, to first order in all six errors; "
+    "the azimuth that is read is alpha_reading + pi. All errors of 10 mrad: off by at most 1.4 and "
+    "0.4 mrad up to 60 degrees high; of 0.3 rad: by 0.9 and 0.5 rad up to 30 degrees.",
 )
 
 d.assume("The azimuth axis, the elevation axis and the mirror's face meet in one point.")
 d.assume("The mirror is flat and small: one ray, through that point, stands for the beam.")
+d.assume(
+    "reflect and beam do not ask which face of the mirror the sun is on; miss does, and the drives "
+    "always turn the face to it."
+)
 d.assume("Axes and mirror are rigid; theta, psi, chi, the encoders' zeros and kappa are constant.")
 d.assume("Sun and receiver are given as unit vectors; refraction is in c, if it is wanted.")
+d.assume(
+    "b and c are not made of length 1: one that is too long by a part e, and is let pass, turns "
+    "the normal by e tan(i) / 2 at the angle of incidence i."
+)
 d.picture(
     stand(Chain("ground").rotate(Z, -PI / 2), post=number("1.2"), arm=number("0.3")),
     at={"theta": 0.12, "psi": 0.1, "alpha": 0.9, "chi": 0.12, "beta": 0.6},

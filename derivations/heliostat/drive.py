@@ -300,7 +300,11 @@ def cases_of_nearest(aim):
     return [
         _no_normal(aim),
         (Status.CLAMPED, aim.blind, "the normal would lie in the blind cone: the nearest is taken"),
-        (Status.SINGULAR, aim.free, "the normal is on the azimuth axis: alpha is 0"),
+        (
+            Status.SINGULAR,
+            aim.free,
+            "the normal is on the azimuth axis: alpha is 0, and the nearest pose is chi away",
+        ),
         (
             Status.SINGULAR,
             aim.steep & ~aim.blind,

@@ -151,6 +151,13 @@ astray = d.define(
     "aim point that faces the mirror.",
     meaning="whether the beam does not get to the aim point's plane",
 )
+unlit = d.define(
+    "unlit",
+    ~(c.dot(normal) > 0),
+    because="The formula of the beam knows no front and no back: turned round, the mirror would "
+    "throw the same beam with its back.",
+    meaning="whether the sun is behind the mirror",
+)
 miss = d.define(
     "miss",
     distance * b_beam.cross(way).norm() / where(astray, nearest_distance, ahead),

@@ -22,6 +22,7 @@ from .checks_of_errors import (
     orders_of_the_rotations,
     rates_add_up,
     sizes_of_the_laws,
+    terms_of_the_laws,
 )
 from .checks_of_optics import (
     beam_by_pinocchio,
@@ -51,6 +52,7 @@ def checks(kernels):
         rates_add_up,
         orders_of_the_laws,
         sizes_of_the_laws,
+        terms_of_the_laws,
         orders_of_the_rotations,
         normal_errors_by_pinocchio,
         error_angles_by_numpy,

@@ -27,7 +27,7 @@ theta = d.parameter.angle(
 psi = d.parameter.angle("psi", "lean of the azimuth axis to the east", latex=r"\psi", **_SLIGHT)
 chi = d.parameter.angle(
     "chi",
-    "inclination of the elevation axis to the plane across the azimuth axis",
+    "inclination of the elevation axis to the plane across the azimuth axis, its left end down",
     limits=(-1.5, 1.5),
     latex=r"\chi",
     **_SLIGHT,
@@ -40,7 +40,7 @@ beta_0 = d.parameter.angle(
 )
 collimation = d.parameter.angle(
     "collimation",
-    "angle from the first axis of the mirror's frame to the true normal, towards the second",
+    "angle from the first axis of the mirror's frame to the true normal, to the left",
     limits=(-1.5, 1.5),
     latex=r"\kappa",
     **_SLIGHT,
@@ -67,7 +67,9 @@ alpha_reading = d.angle(
 beta_reading = d.angle(
     "beta_reading", "reading of the elevation encoder", latex=r"\beta_\mathrm{r}"
 )
-azimuth = d.angle("azimuth", "azimuth of the normal from north, clockwise", latex="A")
+azimuth = d.angle(
+    "azimuth", "azimuth of the normal from north, clockwise", range=(-3.2, 6.3), latex="A"
+)
 elevation = d.angle(
     "elevation",
     "elevation of the normal above the horizon",

@@ -22,6 +22,20 @@ paper = p = Paper("ky", title="Basic mathematics to robotic for tracking systems
 altazimuth = p.use("altazimuth")
 orientation = p.use("orientation")
 
+p.assume("The figures are lost, and with them the axes' directions: x is east, y north and z up.")
+p.assume(
+    "The image of (01), a dot in each line of (09) and the dot of (22) are lost or doubtful: each "
+    "way to read them is judged. The transposition sign of (20) is scanned as an I."
+)
+p.assume(
+    "The azimuth of (12) is counted from the south, positive to the west, as in the book that the "
+    "paper cites for it."
+)
+p.assume(
+    "What faces the sun is the collector's axis z on the altazimuth, the quasi-steady and the "
+    "steady mount, and its axis y on the equatorial one."
+)
+
 # ---- II. Mathematics ----
 
 beta = p.angle("beta", "angle of a rotation")

@@ -25,7 +25,6 @@ from ._ky_mathematics import altazimuth, p
 sun = p.use("sun")
 equatorial = p.use("equatorial")
 quasi_steady = p.use("quasi_steady")
-polar = p.use("polar")
 
 # ---- III. The sun ----
 
@@ -100,14 +99,14 @@ tracked += "azimuth angles h and a"
 azimuth_angle, altitude_angle = direction_angles(altazimuth.quantity("enu"))
 p.equation(
     "tracks azimuth",
-    words="angle gamma that faces the sun, as the azimuth",
+    words="angle gamma that puts the axis z of the collector on the sun, as the azimuth",
     quote=tracked,
     claims=altazimuth["gamma_aim"],
     printed=azimuth_angle,
 )
 p.equation(
     "tracks altitude",
-    words="angle upsilon that faces the sun, as the altitude",
+    words="angle upsilon that puts the axis z of the collector on the sun, as the altitude",
     quote=tracked,
     claims=altazimuth["upsilon_aim"],
     printed=altitude_angle,
@@ -160,7 +159,6 @@ p.equation(
     words="angular velocity of the altazimuth collector",
     claims=altazimuth["Omega_space"],
     printed=vector(upsilon_dot, -gamma_dot * sin(upsilon), gamma_dot * cos(upsilon)),
-    frames={"the collector's frame": altazimuth["M"].rotation},
 )
 
 # ---- Equatorial ----
@@ -171,6 +169,7 @@ p.between(
     value=absolute(partial(sun["declination_cooper"], day)),
     low=degrees(1) / 3,
     high=degrees(1) / 2,
+    words="the change of the declination in a day",
 )
 mean_day = p.constant("mean_day", 86400, "length of the mean solar day", unit=SECOND, latex="T_d")
 drift = p.define(
@@ -208,7 +207,8 @@ def equatorial_joints(incl, epsilon):
 # The angles differ from declination and hour angle by what puts the second axis on the noon sun.
 p.equation(
     "declination and hour angle",
-    words="direction to the sun, with the drive angles at declination and hour angle",
+    words="direction to the sun as that of the collector's axis y, with the drive angles at "
+    "declination and hour angle",
     quote="The configuration (I, epsilon) called Equatorial which tracks the declination and hour "
     "angles delta and omega",
     claims=sun["enu"],
@@ -250,7 +250,6 @@ p.equation(
     words="angular velocity of the equatorial collector",
     claims=equatorial["Omega_space"],
     printed=vector(incl_dot * cos(epsilon), incl_dot * sin(epsilon), epsilon_dot),
-    frames={"the collector's frame": equatorial["M"].rotation},
 )
 
 # ---- Quasi-steady and steady ----
@@ -297,7 +296,6 @@ p.equation(
     words="angular velocity of the quasi-steady collector; a dot on I may be lost",
     claims=quasi_steady["Omega_space"],
     printed={"with a dot": vector(incl_dot, 0, 0), "without": vector(incl, 0, 0)},
-    frames={"the collector's frame": quasi_steady["M"].rotation},
 )
 p.equation(
     "steady",
@@ -310,11 +308,12 @@ p.equation(
 
 # ---- V. Conclusion ----
 
-# The mount that follows declination and hour angle by a drive each is the polar one.
+mounts = (altazimuth, equatorial, quasi_steady)
 p.between(
     "two rotations",
     "The maximum rotation matrixes on a solar tracking robot is two",
-    value=number(len(factors(polar["M"].rotation))),
+    value=number(max(len(factors(mount["M"].rotation)) for mount in mounts)),
     low=0,
     high=2,
+    words="the largest number of rotations in (14), (17) and (20)",
 )

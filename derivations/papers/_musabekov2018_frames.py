@@ -32,6 +32,21 @@ lam = p.define(
     latex=r"\lambda",
 )
 
+p.assume(
+    "The figures are lost. The axes are those of the text, south, east and up; the order of the "
+    "turns is the one that (6) fits to first order and (8) at chi = 0."
+)
+p.assume("Clockwise is as seen from the tip of the axis; at the initial moment alpha = beta = 0.")
+p.assume(
+    "Width and longitude of the sun are its latitude from the ecliptic and its longitude along "
+    "it; the symbol that the text calls the width is lost, and read as lambda."
+)
+p.assume(
+    "Indices and glyphs that the scan leaves doubtful, in (11), (13) and (16) to (18), are read in "
+    "each way that is judged below."
+)
+p.assume("The equation (1) that (20) is said to give at chi = 0 is the paper's own.")
+
 # ---- Introduction ----
 
 p.unchecked(
@@ -74,6 +89,7 @@ p.between(
     value=atan2(front.cross(back).norm(), front.dot(back)),
     low=0,
     high=0,
+    words="the angle between the elevation axes of the two poses that have this normal",
 )
 
 # ---- Transitions ----

@@ -113,6 +113,11 @@ WRONG = {
         "reach.py:3",
         "two files that import each other do not work",
     ),
+    "no point before a file beside": (
+        {"derivation": MAIN.replace("from .reach", "from reach")},
+        "derivation.py:3",
+        "mend: write a point before its name",
+    ),
     "another system": (
         {"reach": "from ..sun import enu\n" + REACH},
         "reach.py:1",

@@ -54,6 +54,31 @@ def test_an_unknown_word_is_refused(p):
         p.word("1", "they are round", "round", {"A": matrix((a, 0), (0, 1))})
 
 
+@pytest.mark.parametrize(
+    ("say", "error"),
+    [
+        (lambda p, a: p.equation("1", words="x", claims=a, printed={}), "has no reading"),
+        (
+            lambda p, a: p.equation("1", words="x", claims=a, printed=a, given=False),
+            r"given= is False\n  mend: give a condition",
+        ),
+        (
+            lambda p, a: p.equation("1", words="x", claims=a, printed=a, small=["a"]),
+            r"small in \(1\) is 'a'\n  mend: give a quantity",
+        ),
+        (lambda p, a: p.needed("1", "q", [sin(a)], of=a), r"small in \(1\) is"),
+        (lambda p, a: p.negligible("1", "q", a, of=a, beside=[2]), r"small in \(1\) is 2"),
+        (lambda p, a: p.negligible("1", "q", a, of=a, beside=[]), "compares with nothing"),
+        (lambda p, a: p.spans("1", "q", elementary(X, a), [a]), "names 1 angles"),
+        (lambda p, a: p.word("1", "q", "singular", {}), "said of no matrix"),
+        (lambda p, a: p.word("1", "q", "singular", {"A": matrix((a, 0))}), "A is 1 by 2"),
+    ],
+)
+def test_what_cannot_be_compared_is_refused_where_it_is_written(p, say, error):
+    with pytest.raises(DerivationError, match=error):
+        say(p, p.angle("a", "x"))
+
+
 def test_a_foreign_symbol_is_refused(p):
     other = Derivation("other", title="Other").angle("other", "x")
     a = p.angle("a", "x")

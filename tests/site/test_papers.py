@@ -61,7 +61,7 @@ p.equation(
     printed={"with a dot": arm * mast.quantity("tilt_dot"), "without": arm * sin(tilt)},
 )
 p.word("same", "The <matrices> & more", "symmetric", {"the turn": mast["R"].matrix()})
-p.between("reach", "less than the arm", reach, -arm, arm)
+p.between("reach", "less than the arm", reach, -arm, arm, words="the reach")
 p.equation("3'", words="for small tilts", claims=reach, printed=arm * tilt, small=[tilt])
 p.unchecked("4", "names", "It names the parts.")
 """
@@ -102,7 +102,7 @@ def smith(root: Path):
 def by_hand() -> dict[str, Finding]:
     """Findings of every kind on the paper above; the numbers are made up."""
     good, bad = Entry(1, 1, Verdict.HOLDS), Repair("function", "sin for cos", r"l\,\sin \tau", 1, 1)
-    example = Counterexample({"tilt": 0.5235987755982988, "arm": 1.0}, 0.866, 0.5)
+    example = Counterexample({"tilt": 0.5235987755982988, "arm": 1.0}, 0.866, 0.5, 2, 4)
     wrong = Entry(2, 4, Verdict.MISPRINT, repair=bad, worst=14.1)
     worse = Entry(3, 4, Verdict.ORDER, order=2, worst=0.25)
     reads = {

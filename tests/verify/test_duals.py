@@ -77,3 +77,25 @@ def test_an_angular_velocity_belongs_to_the_matrix_of_its_name(tmp_path):
     text = TURNS.replace("chain.angular_velocity", "chain.body_angular_velocity")
     (wrong,) = duals.checks(*record_and_programs(write(tmp_path / "wrong", turns=text), "turns"))
     assert not wrong.passed
+
+
+ROOTS = '''"""Roots."""
+
+from armillary import Derivation, sqrt, time_derivative
+
+derivation = d = Derivation("roots", title="Roots")
+a = d.angle("a", "an angle")
+a_dot = a.rate()
+size = d.define("size", sqrt(a * a), because="It has a corner at 0.", meaning="size")
+size_rate = d.define(
+    "size_rate", time_derivative(size), because="Nothing guards the corner.", meaning="rate"
+)
+d.kernel("plain", inputs=[a], outputs=[size])
+d.kernel("moved", inputs=[a, a_dot], outputs=[size_rate])
+'''
+
+
+def test_a_point_without_a_value_is_left_to_the_comparison_of_targets(tmp_path):
+    (right,) = duals.checks(*record_and_programs(write(tmp_path, roots=ROOTS), "roots"))
+    assert right.passed
+    assert right.points > 20

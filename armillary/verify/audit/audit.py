@@ -16,7 +16,6 @@ from armillary.derivation.paper import (
     Unchecked,
     Word,
 )
-from armillary.derivation.units import UnitError, check_block
 from armillary.verify.audit import sentences, words
 from armillary.verify.audit.claims import claimed
 from armillary.verify.audit.reading import read
@@ -58,7 +57,7 @@ def _equation(paper: Paper, equation: Equation, latex: Callable[[Any], str] | No
     )
     verdicts = {(r.verdict, r.order if r.verdict is Verdict.ORDER else None) for r in reads}
     one = len(verdicts) == 1
-    unit = _unit(equation)
+    unit = words.unit_of(equation.claims)
     small = [q.name for q in equation.small]
     says = (
         words.reading(reads[0], small, unit) if len(reads) == 1
@@ -77,11 +76,3 @@ def _equation(paper: Paper, equation: Equation, latex: Callable[[Any], str] | No
         readings=reads,
         unit=unit,
     )
-
-
-def _unit(equation: Equation) -> str:
-    try:
-        unit = check_block(equation.claims)
-    except UnitError:
-        return ""
-    return "" if unit is None else str(unit)

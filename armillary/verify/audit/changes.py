@@ -30,6 +30,7 @@ RANKS = {
 }
 LOST = 7  # a factor or a term that is not there any more
 FAR = 8  # another symbol altogether
+PRODUCT = 9  # a term of two factors that is not there any more
 
 
 @dataclass(frozen=True)
@@ -91,17 +92,21 @@ class Changes:
                 for lost in self.pool.factors():
                     more = put(s.multiply(term, lost))
                     yield Change("factor", f"{plain(term)} times {plain(lost)}", LOST, more)
+                    less = put(s.divide(term, lost))
+                    yield Change("factor", f"{plain(term)} divided by {plain(lost)}", LOST, less)
             yield from _carried(self.product(term), put)
         if top:
             yield from self._lost_terms(node)
 
     def _lost_terms(self, node: s.Scalar) -> Iterator[Change]:
         unit = self.pool.unit(node)
-        for name in self.pool.met:
-            if unit is None or self.pool.unit(name) == unit:
-                for done, term in (("added", name), ("subtracted", s.negate(name))):
-                    words = f"{plain(name)} {done}"
-                    yield Change("lost term", words, LOST, s.add(node, term))
+        lost = [(name, LOST) for name in self.pool.met]
+        if not isinstance(node, s.Number):  # nothing was lost beside a printed 0
+            lost += [(product, PRODUCT) for product in self.pool.products()]
+        for term, rank in lost:
+            if unit is None or self.pool.unit(term) == unit:
+                for done, more in (("added", term), ("subtracted", s.negate(term))):
+                    yield Change("lost term", f"{plain(term)} {done}", rank, s.add(node, more))
 
     def product(self, node: s.Scalar) -> Iterator[Change]:
         """Changes of the factors of a term."""

@@ -22,7 +22,8 @@ _NEAR = 1e-4
 _NEAR_CLOSE = 1e-7
 _ROUNDING = 0.2  # part of the points at which doubles may fail what is equal
 _SCALES = (1e-6, 1e-8)
-_RANDOM, _EXACT, _MANY = 24, 6, 2000
+_RANDOM, _EXACT, _MANY, _ENDS = 24, 6, 2000, 500
+_BOUNDLESS = 1e6  # times the size of what is derived: no error of a bounded print is as large
 DIGITS = Digits()
 
 
@@ -97,9 +98,15 @@ class Bench:
 
     @cached_property
     def many(self) -> Values:
-        """Many points, for the size of an error."""
+        """Many points, spread over the working ranges."""
         drawn = p.where(p.sample(self.everything, _MANY, 5), self.given)
         return Values(Doubles(), drawn)
+
+    @cached_property
+    def widest(self) -> Values:
+        """Many points and ends of the ranges, for the size of an error: it is largest there."""
+        drawn = p.joined(p.sample(self.everything, _MANY, 5), p.ends(self.everything, _ENDS, 6))
+        return Values(Doubles(), p.where(drawn, self.given))
 
     def outcome(self, found: s.Scalar, wanted: s.Scalar) -> Outcome:
         """How far `found` agrees with `wanted`."""
@@ -154,11 +161,12 @@ class Bench:
             return error - turn * _rounded(error / turn)
 
     def worst(self, found: s.Scalar, wanted: s.Scalar) -> float:
-        """The largest error over the working ranges."""
-        with self.many.trying():
-            error = np.abs(self.difference(self.many, found, wanted))
-        finite = error[np.isfinite(error)]
-        return float(finite.max()) if len(finite) else float("nan")
+        """The largest error over the working ranges; infinite where it has no bound."""
+        with self.widest.trying():
+            error = np.abs(self.difference(self.widest, found, wanted))
+        there = error[~np.isnan(error)]
+        largest = float(there.max()) if len(there) else float("nan")
+        return float("inf") if largest > _BOUNDLESS * self.scale(wanted) else largest
 
     def undefined(self, found: s.Scalar, wanted: s.Scalar) -> float:
         """The part of the working ranges where `wanted` has a value and `found` has none."""

@@ -32,10 +32,19 @@ def mixed_order(sides: Sides, order: int) -> str:
         keeps = [place for place in sides.places if place not in lacks and _keeps(sides, place, k)]
         if keeps:
             kept.append(f"{told(keeps)} {_verb(keeps, 'keep')} terms of order {k}")
+    # A term with a wrong sign is told like one of several that were left out: both are not enough.
+    others = [place for place in lacks if _keeps(sides, place, order + 1)]
+    if others:
+        kept.append(
+            f"{told(others)} {_verb(others, 'print')} terms of order {order + 1} that are not "
+            "those derived"
+        )
     if not kept:
         return ""
-    missing = f"{told(lacks)} {_verb(lacks, 'lack')} those of order {order + 1}"
-    return f"mixed order: {', '.join([*kept, missing])}"
+    without = [place for place in lacks if place not in others]
+    if without:
+        kept.append(f"{told(without)} {_verb(without, 'lack')} those of order {order + 1}")
+    return f"mixed order: {', '.join(kept)}"
 
 
 def coefficient(bench: Bench, node: s.Scalar, k: int) -> Any:

@@ -71,6 +71,17 @@ def awkward(known: Sequence[AnyQuantity], seed: int, of: Sequence[AnyQuantity]) 
     return made
 
 
+def ends(known: Sequence[AnyQuantity], n: int, seed: int) -> Sample:
+    """`n` points at which every scalar is at an awkward value, most of them ends of its range."""
+    made = sample(known, n, seed)
+    stream = np.random.default_rng(seed)
+    for q in known:
+        if isinstance(q, Quantity):
+            low, high = q.facts.range
+            made[q] = stream.choice([low, high, *_awkward(q)], n)
+    return made
+
+
 def joined(first: Sample, second: Sample) -> Sample:
     """The points of both."""
     return {q: np.concatenate([first[q], second[q]]) for q in first}
@@ -200,10 +211,11 @@ def is_angle(q: Leaf) -> bool:
 
 
 def _holds(point: Round, known: Sequence[AnyQuantity], given: s.Condition | None) -> bool:
-    return given is None or bool(_count(where(stacked([point], known), given)))
+    return given is None or bool(count(where(stacked([point], known), given)))
 
 
-def _count(points: Sample) -> int:
+def count(points: Sample) -> int:
+    """How many points there are; one where nothing varies."""
     return min((len(a) for a in points.values()), default=1)
 
 

@@ -62,6 +62,13 @@ class Pool:
                 yield s.Sine(name)
             yield name
 
+    def products(self) -> Iterator[s.Scalar]:
+        """What a sum may have lost: two factors."""
+        found = list(self.factors())
+        for k, first in enumerate(found):
+            for second in found[k + 1 :]:
+                yield s.multiply(first, second)
+
     def instead(self, node: Any) -> Iterator[Instead]:
         """What may stand for a symbol, a shorthand or a component; neighbours first."""
         yield from _dotted(node, self.scalars)

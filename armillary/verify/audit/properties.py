@@ -36,9 +36,9 @@ def not_orthonormal(sides: Sides) -> str:
     if printed is None or derived is None:
         return ""
     bench = sides.bench
-    if not largest(orthonormality(bench.many, derived)) <= CLOSE:
+    if not largest(orthonormality(bench.widest, derived)) <= CLOSE:
         return ""
-    defect = largest(orthonormality(bench.many, printed))
+    defect = largest(orthonormality(bench.widest, printed))
     if defect <= CLOSE:
         return ""
     told = f"not orthonormal: R^T R differs from the identity by up to {defect:.2g}"

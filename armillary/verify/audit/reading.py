@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from armillary.derivation.errors import DerivationError
 from armillary.derivation.paper import Equation, Paper
 from armillary.derivation.statements import Block
 from armillary.verify.audit import points as p
@@ -46,6 +47,12 @@ def read(equation: Equation, name: str, printed: Block, paper: Paper, latex: Lat
     pool = Pool(printed, equation.claims, paper)
     extra = [*pool.scalars, *pool.vectors, *instead(equation, paper)]
     bench = Bench((printed, equation.claims), equation.small, equation.given, extra)
+    if not p.count(bench.points):
+        raise DerivationError(
+            f"the condition of ({equation.key}) holds at no point that was tried",
+            "give a condition that is met over the working ranges",
+            equation.source,
+        )
     sides = sides_of(bench, printed, equation.claims)
     explained = _explained(sides, equation, paper, printed, Changes(pool), latex)
     entries = tuple(_entry(sides, place, explained) for place in sides.places)
@@ -57,9 +64,9 @@ def read(equation: Equation, name: str, printed: Block, paper: Paper, latex: Lat
         order=order,
         whole=explained.whole if explained else None,
         entries=entries,
-        properties=_properties(sides, order) if failing else (),
+        properties=_properties(sides, order, explained) if failing else (),
         counterexample=_counterexample(sides, entries) if failing else None,
-        worst=max((e.worst for e in entries if np.isfinite(e.worst)), default=0.0),
+        worst=max((e.worst for e in entries if not np.isnan(e.worst)), default=0.0),
     )
 
 
@@ -151,9 +158,12 @@ def _overall(entries: Sequence[Entry], explained: Explained | None) -> tuple[Ver
     return Verdict.ORDER, min(orders)
 
 
-def _properties(sides: Sides, order: int | None) -> tuple[str, ...]:
+def _properties(sides: Sides, order: int | None, explained: Explained | None) -> tuple[str, ...]:
     told = [not_orthonormal(sides)]
-    if order is not None and order >= 0:
+    # Against a transpose, terms that merely stand elsewhere would count as kept and as lacking.
+    whole = explained.whole if explained else None
+    moved = whole is not None and whole.kind != "special value"
+    if order is not None and order >= 0 and not moved:
         told.append(mixed_order(sides, order))
     for place in sides.bad:
         part = sides.bench.undefined(*sides.pair(place))
@@ -164,8 +174,9 @@ def _properties(sides: Sides, order: int | None) -> tuple[str, ...]:
 
 
 def _counterexample(sides: Sides, entries: Sequence[Entry]) -> Counterexample | None:
-    """Of the entry that errs most against its size, at round inputs."""
-    failing = [e for e in entries if e.verdict is not Verdict.HOLDS]
+    """Of the entry that errs most against its size, at round inputs; of those that fail, if any."""
+    failing = [e for e in entries if e.verdict not in (Verdict.HOLDS, Verdict.ORDER)]
+    failing = failing or [e for e in entries if e.verdict is not Verdict.HOLDS]
     worst = max(failing, key=lambda e: _against_size(sides, e))
     printed, derived = sides.pair((worst.row - 1, worst.column - 1))
     bench = sides.bench
@@ -184,7 +195,9 @@ def _counterexample(sides: Sides, entries: Sequence[Entry]) -> Counterexample | 
     values = values_at(p.stacked([where], bench.known))
     wanted = float(values.array(derived)[0])
     found = wanted + float(bench.difference(values, printed, derived)[0])
-    return Counterexample(where.told(), _steady(found, 14), _steady(wanted, 14))
+    return Counterexample(
+        where.told(), _steady(found, 14), _steady(wanted, 14), worst.row, worst.column
+    )
 
 
 def _steady(value: float, digits: int) -> float:
@@ -194,4 +207,4 @@ def _steady(value: float, digits: int) -> float:
 
 def _against_size(sides: Sides, entry: Entry) -> float:
     scale = sides.bench.scale(sides.derived[entry.row - 1][entry.column - 1])
-    return entry.worst / scale if np.isfinite(entry.worst) else 0.0
+    return 0.0 if np.isnan(entry.worst) else entry.worst / scale

@@ -27,7 +27,7 @@ from armillary.verify.audit.compare import CLOSE
 from armillary.verify.audit.numeric import Doubles, Values
 from armillary.verify.audit.sides import each
 from armillary.verify.audit.verdict import Counterexample, Finding, Read, Repair, Verdict
-from armillary.verify.audit.words import at, number
+from armillary.verify.audit.words import at, number, unit_of
 
 _POINTS = 2000
 _PART = 0.1  # an effect below this part of another is negligible beside it
@@ -134,19 +134,21 @@ def between(paper: Paper, said: Between) -> Finding:
     value, low, high = (values.array(x) for x in (said.value, said.low, said.high))
     scale = max(properties.largest(np.abs(value)), 1e-12)
     outside = np.maximum(low - value, value - high)
-    least, most = number(float(np.nanmin(value))), number(float(np.nanmax(value)))
-    bounds = least if least == most else f"{least} to {most}"
+    unit = unit_of(said.value)
+    says = f"Over the working ranges {said.words} is {_span(value, value, unit)}"
     if properties.largest(outside) <= CLOSE * scale:
-        return _finding(paper, said.key, Verdict.HOLDS, said.quote,
-                        f"Over the working ranges it is {bounds}.")  # fmt: skip
-    says = (
-        f"Over the working ranges it is {bounds}, "
-        f"the bounds {number(float(np.nanmin(low)))} to {number(float(np.nanmax(high)))}."
-    )
+        return _finding(paper, said.key, Verdict.HOLDS, said.quote, f"{says}.")
+    says += f"; stated is {_span(low, high, unit)}."
     example = _outside(said)
-    if example is not None:
-        says += f" {at(example, '')}"
-    return _finding(paper, said.key, Verdict.WRONG, said.quote, says, example=example)
+    if example is not None and example.at:
+        says += f" {at(example, unit)}"
+    return _finding(paper, said.key, Verdict.WRONG, said.quote, says, example=example, unit=unit)
+
+
+def _span(low: Any, high: Any, unit: str) -> str:
+    """The least and the largest of some values: "0 to 3.14 rad"."""
+    least, most = number(float(np.nanmin(low))), number(float(np.nanmax(high)), unit)
+    return most if number(float(np.nanmax(high))) == least else f"{least} to {most}"
 
 
 def _outside(said: Between) -> Counterexample | None:
@@ -185,7 +187,7 @@ def spans(paper: Paper, said: Spans) -> Finding:
 
 def _values(matrix: object) -> Values:
     known = p.quantities(matrix)
-    return Values(Doubles(), p.sample(known, 200, 5))
+    return Values(Doubles(), p.joined(p.sample(known, 200, 5), p.ends(known, 200, 6)))
 
 
 def _finding(
@@ -196,6 +198,8 @@ def _finding(
     says: str,
     repair: Repair | None = None,
     example: Counterexample | None = None,
+    unit: str = "",
 ) -> Finding:
     one = Read("", verdict, None, repair, (), counterexample=example)
-    return Finding(paper.name, key, verdict, None, "claim of the text", quote, says, (), (one,))
+    words = "claim of the text"
+    return Finding(paper.name, key, verdict, None, words, quote, says, (), (one,), unit)

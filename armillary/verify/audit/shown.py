@@ -51,6 +51,8 @@ def figure(value: float) -> str:
 
 def size(value: float, unit: str = "") -> str:
     """The size of an error, to two digits; nothing where none was met."""
+    if math.isinf(value):
+        return "∞"
     if not value > 0 and not value < 0:
         return "0" if value == 0 else ""
     return _signed(f"{value:.2g}") + (f" {unit}" if unit and unit != "1" else "")
@@ -59,6 +61,17 @@ def size(value: float, unit: str = "") -> str:
 def worst(finding: Finding) -> float:
     """The largest error of a print over the working ranges, however it is read."""
     return max((read.worst for read in finding.readings if read.worst > 0), default=0.0)
+
+
+def error_text(finding: Finding) -> str:
+    """That error with its unit; of readings that differ, from the least to the largest."""
+    largest = worst(finding)
+    if not largest:
+        return ""
+    least = min((read.worst for read in finding.readings if read.worst >= 0), default=largest)
+    if finding.verdict is Verdict.AMBIGUOUS and size(least) != size(largest):
+        return f"{size(least)} to {size(largest, finding.unit)}"
+    return size(largest, finding.unit)
 
 
 def label(read: Read) -> str:

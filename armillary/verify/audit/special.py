@@ -48,7 +48,9 @@ def _restrictions(sides: Sides) -> Iterator[tuple[str, p.Sample]]:
     for q, value, words in sorted(held, key=lambda one: one[1] != 0):
         low, high = q.facts.range
         if low <= value <= high:
-            yield f"{q.name} = {words}", p.with_value(bench.points, q, value)
+            # A value outside the print's own condition says nothing of it.
+            held_there = p.where(p.with_value(bench.points, q, value), bench.given)
+            yield f"{q.name} = {words}", held_there
 
 
 def _at_all(sides: Sides, points: p.Sample) -> bool:

@@ -50,11 +50,15 @@ class Counterexample:
         at: the inputs, by name: numbers, or lists of three.
         printed: value of the print there.
         derived: value of the derivation there.
+        row: of the entry whose values these are, from 1.
+        column: of that entry.
     """
 
     at: dict[str, float | list[float]]
     printed: float
     derived: float
+    row: int = 1
+    column: int = 1
 
     @property
     def error(self) -> float:

@@ -6,8 +6,21 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from armillary.derivation.statements import Block
+from armillary.derivation.units import UnitError, check_block
 from armillary.verify.audit.sides import told
 from armillary.verify.audit.verdict import Counterexample, Entry, Read, Repair, Verdict
+
+NO_BOUND = "without bound"
+
+
+def unit_of(block: Block) -> str:
+    """The unit of a block in words; empty where its entries differ in it, or have none."""
+    try:
+        unit = check_block(block)
+    except UnitError:
+        return ""
+    return "" if unit is None else str(unit)
 
 
 def number(value: float, unit: str = "") -> str:
@@ -27,10 +40,11 @@ def two_numbers(first: float, second: float, unit: str) -> tuple[str, str]:
     return _with(a, unit), _with(b, unit)
 
 
-def at(point: Counterexample, unit: str) -> str:
-    """A counterexample in one sentence."""
+def at(point: Counterexample, unit: str, several: bool = False) -> str:
+    """A counterexample in one sentence, with its entry where a print has several."""
+    what = f"entry ({point.row}, {point.column})" if several else "it"
     where = ", ".join(f"{name} = {_value(value)}" for name, value in point.at.items())
-    where = f"At {where} it" if where else "It"
+    where = f"At {where} {what}" if where else f"{what[0].upper()}{what[1:]}"
     printed, derived = two_numbers(point.printed, point.derived, unit)
     return f"{where} gives {printed}; derived is {derived}."
 
@@ -42,11 +56,12 @@ def _with(text: str, unit: str) -> str:
 def reading(read: Read, small: Sequence[str], unit: str) -> str:
     """What is said of one reading."""
     parts = [_verdict(read, small)]
-    if read.verdict is not Verdict.HOLDS and np.isfinite(read.worst):
-        parts.append(f"As printed it errs by up to {number(read.worst, unit)}.")
+    if read.verdict is not Verdict.HOLDS:
+        bound = f"by up to {number(read.worst, unit)}" if np.isfinite(read.worst) else NO_BOUND
+        parts.append(f"As printed it errs {bound}.")
     parts += [f"{text[0].upper()}{text[1:]}." for text in read.properties]
     if read.counterexample is not None:
-        parts.append(at(read.counterexample, unit))
+        parts.append(at(read.counterexample, unit, len(read.entries) > 1))
     return " ".join(parts)
 
 

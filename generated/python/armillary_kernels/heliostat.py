@@ -34,7 +34,8 @@ def normal(*, alpha, beta, theta, psi, chi, alpha_0=None, beta_0=None, collimati
         beta: elevation drive angle: positive raises the normal, rad
         theta: lean of the azimuth axis to the north, rad
         psi: lean of the azimuth axis to the east, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0, beta_0, collimation: accepted and not read
 
     Returns:
@@ -93,7 +94,8 @@ def chain(*, latitude, alpha, beta, theta, psi, chi, alpha_0=None, beta_0=None, 
         beta: elevation drive angle: positive raises the normal, rad
         theta: lean of the azimuth axis to the north, rad
         psi: lean of the azimuth axis to the east, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0, beta_0, collimation: accepted and not read
 
     Returns:
@@ -158,8 +160,9 @@ class ChainFirstOrderResult(NamedTuple):
 
 def chain_first_order(*, latitude, alpha, beta, theta, psi, chi, alpha_0=None, beta_0=None,
     collimation=None):
-    """The same to first order in theta, psi and chi: what is returned is no rotation, and off by
-    half the square of the errors.
+    """Rotations from the equator to the mirror to first order in theta, psi and chi, in the
+    paper's axes. They are no rotations any more: I_R_L is off by at most half the square of
+    |theta| + |psi|, H_R_I by half that of chi; 0.18 and 0.045 for 0.3 rad.
 
     14 flops (10 mul, 4 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2
 
@@ -169,7 +172,8 @@ def chain_first_order(*, latitude, alpha, beta, theta, psi, chi, alpha_0=None, b
         beta: elevation drive angle: positive raises the normal, rad
         theta: lean of the azimuth axis to the north, rad
         psi: lean of the azimuth axis to the east, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0, beta_0, collimation: accepted and not read
 
     Returns:
@@ -316,7 +320,8 @@ def beam(*, c, alpha, beta, theta, psi, chi, alpha_0=None, beta_0=None, collimat
         beta: elevation drive angle: positive raises the normal, rad
         theta: lean of the azimuth axis to the north, rad
         psi: lean of the azimuth axis to the east, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0, beta_0, collimation: accepted and not read
 
     Returns:
@@ -431,7 +436,8 @@ def miss(*, c, alpha, beta, position, aim_point, theta, psi, chi, alpha_0=None, 
         aim_point: point of the receiver to be lit, m, shape (..., 3)
         theta: lean of the azimuth axis to the north, rad
         psi: lean of the azimuth axis to the east, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0, beta_0, collimation: accepted and not read
 
     Returns:
@@ -439,6 +445,7 @@ def miss(*, c, alpha, beta, position, aim_point, theta, psi, chi, alpha_0=None, 
             m
         status -3 (UNREACHABLE): the aim point lies on the mirror, within 1e-6 m
         status -3 (UNREACHABLE): the beam leaves across the way, or backwards
+        status -3 (UNREACHABLE): the sun stands behind the mirror
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
@@ -476,22 +483,26 @@ def miss(*, c, alpha, beta, position, aim_point, theta, psi, chi, alpha_0=None, 
     cos_theta = xp.cos(theta)
     normal_z = (cos_theta * t5) + (sin_theta * t3)
     t6 = (cos_theta * t3) - (sin_theta * t5)
-    t7 = 2.0 * (((c_x * normal_x) - (c_y * t6)) + (c_z * normal_z))
-    b_beam_x = (t7 * normal_x) - c_x
-    t8 = (t7 * t6) + c_y
-    b_beam_z = (t7 * normal_z) - c_z
-    t9 = (t8 * way_z) + (b_beam_z * way_y)
-    t10 = (b_beam_z * way_x) - (b_beam_x * way_z)
-    t11 = (b_beam_x * way_y) + (t8 * way_x)
-    t12 = xp.sqrt(((t9 * t9) + (t10 * t10)) + (t11 * t11))
-    ahead = ((b_beam_x * way_x) - (t8 * way_y)) + (b_beam_z * way_z)
-    t13 = (1.0e-6 * distance) < ahead
-    astray = xp.logical_not(t13)
-    t14 = call.select(astray, 1.0e-6, ahead)
-    miss = (distance * t12) / t14
+    t7 = ((c_x * normal_x) - (c_y * t6)) + (c_z * normal_z)
+    t8 = 2.0 * t7
+    b_beam_x = (t8 * normal_x) - c_x
+    t9 = (t8 * t6) + c_y
+    b_beam_z = (t8 * normal_z) - c_z
+    t10 = (t9 * way_z) + (b_beam_z * way_y)
+    t11 = (b_beam_z * way_x) - (b_beam_x * way_z)
+    t12 = (b_beam_x * way_y) + (t9 * way_x)
+    t13 = xp.sqrt(((t10 * t10) + (t11 * t11)) + (t12 * t12))
+    ahead = ((b_beam_x * way_x) - (t9 * way_y)) + (b_beam_z * way_z)
+    t14 = (1.0e-6 * distance) < ahead
+    astray = xp.logical_not(t14)
+    t15 = call.select(astray, 1.0e-6, ahead)
+    miss = (distance * t13) / t15
     on_mirror = distance < 1.0e-6
+    t16 = 0.0 < t7
+    unlit = xp.logical_not(t16)
     call.case(-3, on_mirror)  # UNREACHABLE
     call.case(-3, astray)  # UNREACHABLE
+    call.case(-3, unlit)  # UNREACHABLE
     return MissResult(
         miss=call.array((), (miss,)),
         status=call.status,
@@ -518,7 +529,8 @@ def drive(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimation=None)
             tracking, shape (..., 3)
         theta: lean of the azimuth axis to the north, rad
         psi: lean of the azimuth axis to the east, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0, beta_0, collimation: accepted and not read
 
     Returns:
@@ -590,7 +602,7 @@ class DriveBackResult(NamedTuple):
 
 
 def drive_back(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimation=None):
-    """The same over the top, back branch: cos(beta) <= 0.
+    """Drive angles that send the sun to the receiver, back branch, over the top: cos(beta) <= 0.
 
     35 flops (22 mul, 12 add, 0 div, 1 sqrt), 6 sin/cos, 2 atan2
 
@@ -600,7 +612,8 @@ def drive_back(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimation=
             tracking, shape (..., 3)
         theta: lean of the azimuth axis to the north, rad
         psi: lean of the azimuth axis to the east, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0, beta_0, collimation: accepted and not read
 
     Returns:
@@ -672,8 +685,8 @@ class DriveNearestResult(NamedTuple):
 
 
 def drive_nearest(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimation=None):
-    """The same, front branch; in the blind cone the pose whose normal is nearest, at the edge of
-    the cone and at the same azimuth.
+    """Drive angles that send the sun to the receiver, front branch; in the blind cone those of
+    the nearest normal that can be had, at the edge of the cone and at the same azimuth.
 
     35 flops (22 mul, 12 add, 0 div, 1 sqrt), 6 sin/cos, 2 atan2
 
@@ -683,7 +696,8 @@ def drive_nearest(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimati
             tracking, shape (..., 3)
         theta: lean of the azimuth axis to the north, rad
         psi: lean of the azimuth axis to the east, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0, beta_0, collimation: accepted and not read
 
     Returns:
@@ -691,7 +705,8 @@ def drive_nearest(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimati
         beta: elevation drive angle, front branch: in [-pi/2, pi/2], rad
         status -3 (UNREACHABLE): b = -c within 1e-6: no normal is singled out
         status 1 (CLAMPED): the normal would lie in the blind cone: the nearest is taken
-        status 2 (SINGULAR): the normal is on the azimuth axis: alpha is 0
+        status 2 (SINGULAR): the normal is on the azimuth axis: alpha is 0, and the nearest pose
+            is chi away
         status 2 (SINGULAR): cos(beta) is below 1e-6: the azimuth drive runs away
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
@@ -759,7 +774,8 @@ class TrackResult(NamedTuple):
 
 def track(*, latitude, declination, hour_angle, b, theta, psi, chi, alpha_0=None, beta_0=None,
     collimation=None):
-    """Drive angles, front branch, for the sun at a place and hour.
+    """Drive angles, front branch, for the sun at a place and hour. A sun below the horizon is
+    followed too.
 
     43 flops (28 mul, 14 add, 0 div, 1 sqrt), 12 sin/cos, 2 atan2
 
@@ -771,7 +787,8 @@ def track(*, latitude, declination, hour_angle, b, theta, psi, chi, alpha_0=None
             tracking, shape (..., 3)
         theta: lean of the azimuth axis to the north, rad
         psi: lean of the azimuth axis to the east, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0, beta_0, collimation: accepted and not read
 
     Returns:
@@ -868,7 +885,8 @@ def drive_rates(*, c, c_dot, b, theta, psi, chi, alpha_0=None, beta_0=None, coll
             tracking, shape (..., 3)
         theta: lean of the azimuth axis to the north, rad
         psi: lean of the azimuth axis to the east, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0, beta_0, collimation: accepted and not read
 
     Returns:
@@ -966,7 +984,8 @@ class DriveSensitivityResult(NamedTuple):
 
 def drive_sensitivity(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimation=None):
     """Derivatives of the drive angles by theta, psi and chi, front branch. Where the status is
-    SINGULAR the azimuth drive is held.
+    SINGULAR the azimuth drive is held. What is rounded grows in it by at most 1 / cos(beta)^2,
+    relative to its largest entry.
 
     64 flops (42 mul, 18 add, 3 div, 1 sqrt), 6 sin/cos, 0 atan2
 
@@ -976,7 +995,8 @@ def drive_sensitivity(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, colli
             tracking, shape (..., 3)
         theta: lean of the azimuth axis to the north, rad
         psi: lean of the azimuth axis to the east, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0, beta_0, collimation: accepted and not read
 
     Returns:
@@ -1059,7 +1079,8 @@ class DriveResponseResult(NamedTuple):
 
 def drive_response(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimation=None):
     """Derivatives of the drive angles by the components of c and of b, which are the same. Where
-    the status is SINGULAR the azimuth drive is held.
+    the status is SINGULAR the azimuth drive is held. What is rounded grows in it by at most 1 /
+    cos(beta)^2, relative to its largest entry.
 
     92 flops (62 mul, 26 add, 3 div, 1 sqrt), 6 sin/cos, 0 atan2
 
@@ -1069,7 +1090,8 @@ def drive_response(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimat
             tracking, shape (..., 3)
         theta: lean of the azimuth axis to the north, rad
         psi: lean of the azimuth axis to the east, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0, beta_0, collimation: accepted and not read
 
     Returns:
@@ -1167,7 +1189,9 @@ class DriveFirstOrderResult(NamedTuple):
 
 def drive_first_order(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimation=None):
     """Drive angles to first order in theta, psi and chi; alpha is not brought back into [-pi,
-    pi].
+    pi]. All three of 10 mrad and normals up to 60 degrees high: alpha is off by at most 0.9 mrad,
+    beta by 0.2; all three of 0.3 rad, up to 45 degrees: by 0.75 and 0.16 rad. Towards the zenith
+    the error grows without end, and the blind cone is not told.
 
     24 flops (12 mul, 10 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2
 
@@ -1177,7 +1201,8 @@ def drive_first_order(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, colli
             tracking, shape (..., 3)
         theta: lean of the azimuth axis to the north, rad
         psi: lean of the azimuth axis to the east, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0, beta_0, collimation: accepted and not read
 
     Returns:
@@ -1240,7 +1265,9 @@ class DriveSecondOrderResult(NamedTuple):
 
 def drive_second_order(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimation=None):
     """Drive angles to second order in theta, psi and chi; alpha is not brought back into [-pi,
-    pi].
+    pi]. All three of 10 mrad and normals up to 60 degrees high: alpha is off by at most 0.02
+    mrad, beta by 0.003; all three of 0.3 rad, up to 45 degrees: by 0.43 and 0.11 rad. Towards the
+    zenith the error grows without end, and the blind cone is not told.
 
     41 flops (22 mul, 17 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2
 
@@ -1250,7 +1277,8 @@ def drive_second_order(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, coll
             tracking, shape (..., 3)
         theta: lean of the azimuth axis to the north, rad
         psi: lean of the azimuth axis to the east, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0, beta_0, collimation: accepted and not read
 
     Returns:
@@ -1327,7 +1355,8 @@ def error_angles(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimatio
             tracking, shape (..., 3)
         theta: lean of the azimuth axis to the north, rad
         psi: lean of the azimuth axis to the east, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0, beta_0, collimation: accepted and not read
 
     Returns:
@@ -1337,6 +1366,8 @@ def error_angles(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimatio
         status -3 (UNREACHABLE): the normal would lie in the blind cone
         status 2 (SINGULAR): cos(beta) is below 1e-6: the azimuth drive runs away there; on its
             own axis it is 0
+        status 2 (SINGULAR): the normal is within 1e-6 of the zenith or the nadir: alpha of ideal
+            axes counts as 0
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
@@ -1395,6 +1426,7 @@ def error_angles(*, c, b, theta, psi, chi, alpha_0=None, beta_0=None, collimatio
     t9 = (1.0e-12 * (t7 * t5)) < Q_square
     steep = xp.logical_not(t9)
     call.case(2, steep)  # SINGULAR
+    call.case(2, overhead)  # SINGULAR
     call.case(-3, no_direction)  # UNREACHABLE
     call.case(-3, blind)  # UNREACHABLE
     return ErrorAnglesResult(
@@ -1423,7 +1455,8 @@ def normal_errors(*, alpha, beta, psi, chi, theta=None, alpha_0=None, beta_0=Non
         alpha: azimuth drive angle: from south to west, clockwise from above, rad
         beta: elevation drive angle: positive raises the normal, rad
         psi: lean of the azimuth axis to the east, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         theta, alpha_0, beta_0, collimation: accepted and not read
 
     Returns:
@@ -1481,11 +1514,12 @@ def encoder(*, alpha, beta, chi, alpha_0, beta_0, collimation, theta=None, psi=N
     Args:
         alpha: azimuth drive angle: from south to west, clockwise from above, rad
         beta: elevation drive angle: positive raises the normal, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0: reading of the azimuth encoder at alpha = 0, rad
         beta_0: reading of the elevation encoder at beta = 0, rad
-        collimation: angle from the first axis of the mirror's frame to the true normal, towards
-            the second, rad
+        collimation: angle from the first axis of the mirror's frame to the true normal, to the
+            left, rad
         theta, psi: accepted and not read
 
     Returns:
@@ -1493,7 +1527,7 @@ def encoder(*, alpha, beta, chi, alpha_0, beta_0, collimation, theta=None, psi=N
         beta_reading: reading of the elevation encoder, rad
         status -3 (UNREACHABLE): the true normal cannot be brought there
         status 2 (SINGULAR): the cosine of the elevation drive is below 1e-6: the azimuth drive
-            runs away
+            runs away; on its own axis 0 is returned for it, not the angle that was given
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
@@ -1567,11 +1601,12 @@ def encoder_inverse(*, alpha_reading, beta_reading, chi, alpha_0, beta_0, collim
     Args:
         alpha_reading: reading of the azimuth encoder, rad
         beta_reading: reading of the elevation encoder, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0: reading of the azimuth encoder at alpha = 0, rad
         beta_0: reading of the elevation encoder at beta = 0, rad
-        collimation: angle from the first axis of the mirror's frame to the true normal, towards
-            the second, rad
+        collimation: angle from the first axis of the mirror's frame to the true normal, to the
+            left, rad
         theta, psi: accepted and not read
 
     Returns:
@@ -1579,7 +1614,7 @@ def encoder_inverse(*, alpha_reading, beta_reading, chi, alpha_0, beta_0, collim
         beta: elevation drive angle from the readings, rad
         status -3 (UNREACHABLE): no drive angles without collimation error do the same
         status 2 (SINGULAR): the cosine of the elevation drive is below 1e-6: the azimuth drive
-            runs away
+            runs away; on its own axis 0 is returned for it, not the angle that was given
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
@@ -1654,11 +1689,12 @@ def pointing_terms(*, theta, psi, chi, alpha_0, beta_0, collimation):
     Args:
         theta: lean of the azimuth axis to the north, rad
         psi: lean of the azimuth axis to the east, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0: reading of the azimuth encoder at alpha = 0, rad
         beta_0: reading of the elevation encoder at beta = 0, rad
-        collimation: angle from the first axis of the mirror's frame to the true normal, towards
-            the second, rad
+        collimation: angle from the first axis of the mirror's frame to the true normal, to the
+            left, rad
 
     Returns:
         IA: index error in azimuth, rad
@@ -1699,7 +1735,9 @@ class PointingResult(NamedTuple):
 
 
 def pointing(*, azimuth, elevation, theta, psi, chi, alpha_0, beta_0, collimation):
-    """Reading minus azimuth and elevation of the normal, to first order in all six errors.
+    """Reading minus azimuth and elevation of the normal, to first order in all six errors; the
+    azimuth that is read is alpha_reading + pi. All errors of 10 mrad: off by at most 1.4 and 0.4
+    mrad up to 60 degrees high; of 0.3 rad: by 0.9 and 0.5 rad up to 30 degrees.
 
     14 flops (7 mul, 6 add, 1 div, 0 sqrt), 4 sin/cos, 0 atan2
 
@@ -1708,21 +1746,22 @@ def pointing(*, azimuth, elevation, theta, psi, chi, alpha_0, beta_0, collimatio
         elevation: elevation of the normal above the horizon, rad
         theta: lean of the azimuth axis to the north, rad
         psi: lean of the azimuth axis to the east, rad
-        chi: inclination of the elevation axis to the plane across the azimuth axis, rad
+        chi: inclination of the elevation axis to the plane across the azimuth axis, its left end
+            down, rad
         alpha_0: reading of the azimuth encoder at alpha = 0, rad
         beta_0: reading of the elevation encoder at beta = 0, rad
-        collimation: angle from the first axis of the mirror's frame to the true normal, towards
-            the second, rad
+        collimation: angle from the first axis of the mirror's frame to the true normal, to the
+            left, rad
 
     Returns:
         delta_azimuth: reading of the azimuth minus the azimuth, to first order, rad
         delta_elevation: reading of the elevation minus the elevation, to first order, rad
-        status 2 (SINGULAR): the normal is within 1e-6 of the zenith or the nadir: only IA is
-            returned
+        status 2 (SINGULAR): the normal is within 1e-6 of the zenith or the nadir: delta_azimuth
+            is IA alone
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
-        ("azimuth", azimuth, -1000.0, 1000.0, 0.8),
+        ("azimuth", azimuth, -1000.0, 1000.0, 2.7375),
         ("elevation", elevation, -3.15, 3.15, 0.375),
         ("theta", theta, -1000.0, 1000.0, 0.075),
         ("psi", psi, -1000.0, 1000.0, 0.075),

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from armillary import Chain, Derivation, Paper, X, Y, Z, cos, elementary, sin, sqrt, vector
+from armillary import Chain, Derivation, Paper, X, Y, Z, cos, elementary, number, sin, sqrt, vector
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.verify.audit.changes import Changes, terms_of
@@ -28,7 +28,8 @@ def told(node, *more, paper=None):
 def test_all_changes_of_a_small_sum(d):
     a, b = d.angle("a", "x"), d.angle("b", "x")
     found = [c for c in told(sin(a) - 2 * cos(b)) if not c[1].endswith(("added", "subtracted"))]
-    assert [c for c in found if " times " not in c[1]] == [
+    lost = (" times ", " divided by ")
+    assert [c for c in found if not any(words in c[1] for words in lost)] == [
         ("sign", "the other sign of the whole", "-(sin(a) - 2 cos(b))"),
         ("sign", "minus for plus before sin(a)", "-sin(a) - 2 cos(b)"),
         ("sign", "plus for minus before 2 cos(b)", "sin(a) + 2 cos(b)"),
@@ -52,9 +53,17 @@ def test_what_may_have_been_lost(d):
     assert [words for kind, words, _ in found if " times " in words] == [
         "sin(a) times cos(a)", "sin(a) times sin(a)", "sin(a) times a", "sin(a) times L",
     ]  # fmt: skip
-    assert [words for kind, words, _ in told(2 * L, a) if kind == "lost term"] == [
-        "L added", "L subtracted",
+    assert [words for kind, words, _ in found if " divided by " in words] == [
+        "sin(a) divided by cos(a)", "sin(a) divided by sin(a)", "sin(a) divided by a",
+        "sin(a) divided by L",
     ]  # fmt: skip
+    assert [words for kind, words, _ in told(2 * L, a) if kind == "lost term"] == [
+        "L added", "L subtracted", "L cos(a) added", "L cos(a) subtracted", "L sin(a) added",
+        "L sin(a) subtracted",
+    ]  # fmt: skip
+    assert not [
+        words for kind, words, _ in told(number(0), a) if kind == "lost term" and "cos" in words
+    ]
 
 
 def test_numbers_are_taken_from_what_is_derived(d):

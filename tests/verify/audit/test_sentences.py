@@ -2,7 +2,7 @@
 
 import pytest
 
-from armillary import X, Y, Z, cos, elementary, matrix, sin, vector
+from armillary import X, Y, Z, absolute, cos, elementary, matrix, number, sin, vector
 from armillary.verify.audit.audit import audit
 from armillary.verify.audit.verdict import Verdict
 from tests.verify.audit.papers import Arm
@@ -74,14 +74,25 @@ def test_what_is_needed(arm):
 
 
 def test_bounds(arm):
-    arm.p.between("yes", "q", sin(arm.g), -1, 1)
-    arm.p.between("no", "q", 2 * sin(arm.g), -1, 1)
+    arm.p.between("yes", "q", sin(arm.g), -1, 1, words="the sine")
+    arm.p.between("no", "q", 2 * sin(arm.g), -1, 1, words="the sine")
     yes, no = audit(arm.p)
     assert (yes.verdict, no.verdict) == (Verdict.HOLDS, Verdict.WRONG)
     shown = no.readings[0].counterexample
     assert shown.printed in (-1, 1)
     assert abs(shown.derived) > 1
-    assert "-2 to 2" in no.says
+    assert "Over the working ranges the sine is -2 to 2; stated is -1 to 1." in no.says
+
+
+def test_a_bound_of_a_number_has_its_words_and_its_unit(arm):
+    arm.p.between("three", "q", number(3), 0, 2, words="the number of legs")
+    arm.p.between("angle", "q", absolute(arm.theta), 0, 0, words="the lean")
+    three, angle = audit(arm.p)
+    assert three.says == "Over the working ranges the number of legs is 3; stated is 0 to 2."
+    assert angle.says.startswith(
+        "Over the working ranges the lean is 0 to 0.3 rad; stated is 0 rad."
+    )
+    assert angle.unit == "rad"
 
 
 def test_turns_that_reach_every_orientation(arm):

@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_HELIOSTAT_ABI 0x4b795bbdUL
+#define ARMILLARY_HELIOSTAT_ABI 0x3bbadda9UL
 
 #ifdef __cplusplus
 extern "C" {
@@ -32,8 +32,8 @@ typedef struct {
   /** Lean of the azimuth axis to the east, rad, refused outside [-1000, 1000], working range
       [-0.3, 0.3]. */
   float psi;
-  /** Inclination of the elevation axis to the plane across the azimuth axis, rad, refused outside
-      [-1.5, 1.5], working range [-0.3, 0.3]. */
+  /** Inclination of the elevation axis to the plane across the azimuth axis, its left end down,
+      rad, refused outside [-1.5, 1.5], working range [-0.3, 0.3]. */
   float chi;
   /** Reading of the azimuth encoder at alpha = 0, rad, refused outside [-1000, 1000], working
       range [-3.2, 3.2]. */
@@ -41,7 +41,7 @@ typedef struct {
   /** Reading of the elevation encoder at beta = 0, rad, refused outside [-1000, 1000], working
       range [-3.2, 3.2]. */
   float beta_0;
-  /** Angle from the first axis of the mirror's frame to the true normal, towards the second, rad,
+  /** Angle from the first axis of the mirror's frame to the true normal, to the left, rad,
       refused outside [-1.5, 1.5], working range [-0.3, 0.3]. */
   float collimation;
 } heliostat_params_f32;
@@ -84,8 +84,9 @@ int heliostat_chain_f32(
     float I_R_L[9], float H_R_I[9]);
 
 /**
- * @brief The same to first order in theta, psi and chi: what is returned is no rotation, and off
- *     by half the square of the errors.
+ * @brief Rotations from the equator to the mirror to first order in theta, psi and chi, in the
+ *     paper's axes. They are no rotations any more: I_R_L is off by at most half the square of
+ *     |theta| + |psi|, H_R_I by half that of chi; 0.18 and 0.045 for 0.3 rad.
  *
  * Cost: 14 flops (10 mul, 4 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
@@ -194,6 +195,7 @@ int heliostat_target_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the aim point lies on the mirror, within 1e-6 m
  *   UNREACHABLE: the beam leaves across the way, or backwards
+ *   UNREACHABLE: the sun stands behind the mirror
  */
 int heliostat_miss_f32(
     const heliostat_params_f32 *p, const float c[3], float alpha, float beta,
@@ -223,7 +225,8 @@ int heliostat_drive_f32(
     const heliostat_params_f32 *p, const float c[3], const float b[3], float *alpha, float *beta);
 
 /**
- * @brief The same over the top, back branch: cos(beta) <= 0.
+ * @brief Drive angles that send the sun to the receiver, back branch, over the top: cos(beta) <=
+ *     0.
  *
  * Cost: 35 flops (22 mul, 12 add, 0 div, 1 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
@@ -244,8 +247,8 @@ int heliostat_drive_back_f32(
     const heliostat_params_f32 *p, const float c[3], const float b[3], float *alpha, float *beta);
 
 /**
- * @brief The same, front branch; in the blind cone the pose whose normal is nearest, at the edge
- *     of the cone and at the same azimuth.
+ * @brief Drive angles that send the sun to the receiver, front branch; in the blind cone those
+ *     of the nearest normal that can be had, at the edge of the cone and at the same azimuth.
  *
  * Cost: 35 flops (22 mul, 12 add, 0 div, 1 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
@@ -260,14 +263,15 @@ int heliostat_drive_back_f32(
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: b = -c within 1e-6: no normal is singled out
  *   CLAMPED: the normal would lie in the blind cone: the nearest is taken
- *   SINGULAR: the normal is on the azimuth axis: alpha is 0
+ *   SINGULAR: the normal is on the azimuth axis: alpha is 0, and the nearest pose is chi away
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away
  */
 int heliostat_drive_nearest_f32(
     const heliostat_params_f32 *p, const float c[3], const float b[3], float *alpha, float *beta);
 
 /**
- * @brief Drive angles, front branch, for the sun at a place and hour.
+ * @brief Drive angles, front branch, for the sun at a place and hour. A sun below the horizon is
+ *     followed too.
  *
  * Cost: 43 flops (28 mul, 14 add, 0 div, 1 sqrt), 12 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
@@ -322,7 +326,8 @@ int heliostat_drive_rates_f32(
 
 /**
  * @brief Derivatives of the drive angles by theta, psi and chi, front branch. Where the status
- *     is SINGULAR the azimuth drive is held.
+ *     is SINGULAR the azimuth drive is held. What is rounded grows in it by at most 1 /
+ *     cos(beta)^2, relative to its largest entry.
  *
  * Cost: 64 flops (42 mul, 18 add, 3 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
@@ -344,7 +349,8 @@ int heliostat_drive_sensitivity_f32(
 
 /**
  * @brief Derivatives of the drive angles by the components of c and of b, which are the same.
- *     Where the status is SINGULAR the azimuth drive is held.
+ *     Where the status is SINGULAR the azimuth drive is held. What is rounded grows in it by at
+ *     most 1 / cos(beta)^2, relative to its largest entry.
  *
  * Cost: 92 flops (62 mul, 26 add, 3 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
@@ -368,7 +374,9 @@ int heliostat_drive_response_f32(
 
 /**
  * @brief Drive angles to first order in theta, psi and chi; alpha is not brought back into [-pi,
- *     pi].
+ *     pi]. All three of 10 mrad and normals up to 60 degrees high: alpha is off by at most 0.9
+ *     mrad, beta by 0.2; all three of 0.3 rad, up to 45 degrees: by 0.75 and 0.16 rad. Towards
+ *     the zenith the error grows without end, and the blind cone is not told.
  *
  * Cost: 24 flops (12 mul, 10 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
@@ -390,7 +398,9 @@ int heliostat_drive_first_order_f32(
 
 /**
  * @brief Drive angles to second order in theta, psi and chi; alpha is not brought back into
- *     [-pi, pi].
+ *     [-pi, pi]. All three of 10 mrad and normals up to 60 degrees high: alpha is off by at most
+ *     0.02 mrad, beta by 0.003; all three of 0.3 rad, up to 45 degrees: by 0.43 and 0.11 rad.
+ *     Towards the zenith the error grows without end, and the blind cone is not told.
  *
  * Cost: 41 flops (22 mul, 17 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
@@ -429,6 +439,8 @@ int heliostat_drive_second_order_f32(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ *   SINGULAR: the normal is within 1e-6 of the zenith or the nadir: alpha of ideal axes counts
+ *     as 0
  */
 int heliostat_error_angles_f32(
     const heliostat_params_f32 *p, const float c[3], const float b[3], float *Delta_A,
@@ -467,7 +479,8 @@ int heliostat_normal_errors_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the true normal cannot be brought there
- *   SINGULAR: the cosine of the elevation drive is below 1e-6: the azimuth drive runs away
+ *   SINGULAR: the cosine of the elevation drive is below 1e-6: the azimuth drive runs away; on
+ *     its own axis 0 is returned for it, not the angle that was given
  */
 int heliostat_encoder_f32(
     const heliostat_params_f32 *p, float alpha, float beta, float *alpha_reading,
@@ -487,7 +500,8 @@ int heliostat_encoder_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: no drive angles without collimation error do the same
- *   SINGULAR: the cosine of the elevation drive is below 1e-6: the azimuth drive runs away
+ *   SINGULAR: the cosine of the elevation drive is below 1e-6: the azimuth drive runs away; on
+ *     its own axis 0 is returned for it, not the angle that was given
  */
 int heliostat_encoder_inverse_f32(
     const heliostat_params_f32 *p, float alpha_reading, float beta_reading, float *alpha,
@@ -511,12 +525,14 @@ int heliostat_pointing_terms_f32(
     float *AW);
 
 /**
- * @brief Reading minus azimuth and elevation of the normal, to first order in all six errors.
+ * @brief Reading minus azimuth and elevation of the normal, to first order in all six errors;
+ *     the azimuth that is read is alpha_reading + pi. All errors of 10 mrad: off by at most 1.4
+ *     and 0.4 mrad up to 60 degrees high; of 0.3 rad: by 0.9 and 0.5 rad up to 30 degrees.
  *
  * Cost: 14 flops (7 mul, 6 add, 1 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] azimuth azimuth of the normal from north, clockwise, rad, refused outside [-1000,
- *     1000], working range [-3.2, 3.2]
+ *     1000], working range [-3.2, 6.3]
  * @param[in] elevation elevation of the normal above the horizon, rad, refused outside [-3.15,
  *     3.15], working range [-1.5, 1.5]
  * @param[out] delta_azimuth reading of the azimuth minus the azimuth, to first order, rad
@@ -524,7 +540,7 @@ int heliostat_pointing_terms_f32(
  * @param[out] delta_elevation reading of the elevation minus the elevation, to first order, rad
  *     (heliostat-delta_elevation)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   SINGULAR: the normal is within 1e-6 of the zenith or the nadir: only IA is returned
+ *   SINGULAR: the normal is within 1e-6 of the zenith or the nadir: delta_azimuth is IA alone
  */
 int heliostat_pointing_f32(
     const heliostat_params_f32 *p, float azimuth, float elevation, float *delta_azimuth,
@@ -540,8 +556,8 @@ typedef struct {
   /** Lean of the azimuth axis to the east, rad, refused outside [-1000, 1000], working range
       [-0.3, 0.3]. */
   double psi;
-  /** Inclination of the elevation axis to the plane across the azimuth axis, rad, refused outside
-      [-1.5, 1.5], working range [-0.3, 0.3]. */
+  /** Inclination of the elevation axis to the plane across the azimuth axis, its left end down,
+      rad, refused outside [-1.5, 1.5], working range [-0.3, 0.3]. */
   double chi;
   /** Reading of the azimuth encoder at alpha = 0, rad, refused outside [-1000, 1000], working
       range [-3.2, 3.2]. */
@@ -549,7 +565,7 @@ typedef struct {
   /** Reading of the elevation encoder at beta = 0, rad, refused outside [-1000, 1000], working
       range [-3.2, 3.2]. */
   double beta_0;
-  /** Angle from the first axis of the mirror's frame to the true normal, towards the second, rad,
+  /** Angle from the first axis of the mirror's frame to the true normal, to the left, rad,
       refused outside [-1.5, 1.5], working range [-0.3, 0.3]. */
   double collimation;
 } heliostat_params_f64;
@@ -592,8 +608,9 @@ int heliostat_chain_f64(
     double I_R_L[9], double H_R_I[9]);
 
 /**
- * @brief The same to first order in theta, psi and chi: what is returned is no rotation, and off
- *     by half the square of the errors.
+ * @brief Rotations from the equator to the mirror to first order in theta, psi and chi, in the
+ *     paper's axes. They are no rotations any more: I_R_L is off by at most half the square of
+ *     |theta| + |psi|, H_R_I by half that of chi; 0.18 and 0.045 for 0.3 rad.
  *
  * Cost: 14 flops (10 mul, 4 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
@@ -702,6 +719,7 @@ int heliostat_target_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the aim point lies on the mirror, within 1e-6 m
  *   UNREACHABLE: the beam leaves across the way, or backwards
+ *   UNREACHABLE: the sun stands behind the mirror
  */
 int heliostat_miss_f64(
     const heliostat_params_f64 *p, const double c[3], double alpha, double beta,
@@ -732,7 +750,8 @@ int heliostat_drive_f64(
     double *beta);
 
 /**
- * @brief The same over the top, back branch: cos(beta) <= 0.
+ * @brief Drive angles that send the sun to the receiver, back branch, over the top: cos(beta) <=
+ *     0.
  *
  * Cost: 35 flops (22 mul, 12 add, 0 div, 1 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
@@ -754,8 +773,8 @@ int heliostat_drive_back_f64(
     double *beta);
 
 /**
- * @brief The same, front branch; in the blind cone the pose whose normal is nearest, at the edge
- *     of the cone and at the same azimuth.
+ * @brief Drive angles that send the sun to the receiver, front branch; in the blind cone those
+ *     of the nearest normal that can be had, at the edge of the cone and at the same azimuth.
  *
  * Cost: 35 flops (22 mul, 12 add, 0 div, 1 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
@@ -770,7 +789,7 @@ int heliostat_drive_back_f64(
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: b = -c within 1e-6: no normal is singled out
  *   CLAMPED: the normal would lie in the blind cone: the nearest is taken
- *   SINGULAR: the normal is on the azimuth axis: alpha is 0
+ *   SINGULAR: the normal is on the azimuth axis: alpha is 0, and the nearest pose is chi away
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away
  */
 int heliostat_drive_nearest_f64(
@@ -778,7 +797,8 @@ int heliostat_drive_nearest_f64(
     double *beta);
 
 /**
- * @brief Drive angles, front branch, for the sun at a place and hour.
+ * @brief Drive angles, front branch, for the sun at a place and hour. A sun below the horizon is
+ *     followed too.
  *
  * Cost: 43 flops (28 mul, 14 add, 0 div, 1 sqrt), 12 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
@@ -833,7 +853,8 @@ int heliostat_drive_rates_f64(
 
 /**
  * @brief Derivatives of the drive angles by theta, psi and chi, front branch. Where the status
- *     is SINGULAR the azimuth drive is held.
+ *     is SINGULAR the azimuth drive is held. What is rounded grows in it by at most 1 /
+ *     cos(beta)^2, relative to its largest entry.
  *
  * Cost: 64 flops (42 mul, 18 add, 3 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
@@ -855,7 +876,8 @@ int heliostat_drive_sensitivity_f64(
 
 /**
  * @brief Derivatives of the drive angles by the components of c and of b, which are the same.
- *     Where the status is SINGULAR the azimuth drive is held.
+ *     Where the status is SINGULAR the azimuth drive is held. What is rounded grows in it by at
+ *     most 1 / cos(beta)^2, relative to its largest entry.
  *
  * Cost: 92 flops (62 mul, 26 add, 3 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
@@ -880,7 +902,9 @@ int heliostat_drive_response_f64(
 
 /**
  * @brief Drive angles to first order in theta, psi and chi; alpha is not brought back into [-pi,
- *     pi].
+ *     pi]. All three of 10 mrad and normals up to 60 degrees high: alpha is off by at most 0.9
+ *     mrad, beta by 0.2; all three of 0.3 rad, up to 45 degrees: by 0.75 and 0.16 rad. Towards
+ *     the zenith the error grows without end, and the blind cone is not told.
  *
  * Cost: 24 flops (12 mul, 10 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
@@ -903,7 +927,9 @@ int heliostat_drive_first_order_f64(
 
 /**
  * @brief Drive angles to second order in theta, psi and chi; alpha is not brought back into
- *     [-pi, pi].
+ *     [-pi, pi]. All three of 10 mrad and normals up to 60 degrees high: alpha is off by at most
+ *     0.02 mrad, beta by 0.003; all three of 0.3 rad, up to 45 degrees: by 0.43 and 0.11 rad.
+ *     Towards the zenith the error grows without end, and the blind cone is not told.
  *
  * Cost: 41 flops (22 mul, 17 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
@@ -943,6 +969,8 @@ int heliostat_drive_second_order_f64(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ *   SINGULAR: the normal is within 1e-6 of the zenith or the nadir: alpha of ideal axes counts
+ *     as 0
  */
 int heliostat_error_angles_f64(
     const heliostat_params_f64 *p, const double c[3], const double b[3], double *Delta_A,
@@ -981,7 +1009,8 @@ int heliostat_normal_errors_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the true normal cannot be brought there
- *   SINGULAR: the cosine of the elevation drive is below 1e-6: the azimuth drive runs away
+ *   SINGULAR: the cosine of the elevation drive is below 1e-6: the azimuth drive runs away; on
+ *     its own axis 0 is returned for it, not the angle that was given
  */
 int heliostat_encoder_f64(
     const heliostat_params_f64 *p, double alpha, double beta, double *alpha_reading,
@@ -1001,7 +1030,8 @@ int heliostat_encoder_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: no drive angles without collimation error do the same
- *   SINGULAR: the cosine of the elevation drive is below 1e-6: the azimuth drive runs away
+ *   SINGULAR: the cosine of the elevation drive is below 1e-6: the azimuth drive runs away; on
+ *     its own axis 0 is returned for it, not the angle that was given
  */
 int heliostat_encoder_inverse_f64(
     const heliostat_params_f64 *p, double alpha_reading, double beta_reading, double *alpha,
@@ -1025,12 +1055,14 @@ int heliostat_pointing_terms_f64(
     double *AW);
 
 /**
- * @brief Reading minus azimuth and elevation of the normal, to first order in all six errors.
+ * @brief Reading minus azimuth and elevation of the normal, to first order in all six errors;
+ *     the azimuth that is read is alpha_reading + pi. All errors of 10 mrad: off by at most 1.4
+ *     and 0.4 mrad up to 60 degrees high; of 0.3 rad: by 0.9 and 0.5 rad up to 30 degrees.
  *
  * Cost: 14 flops (7 mul, 6 add, 1 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] azimuth azimuth of the normal from north, clockwise, rad, refused outside [-1000,
- *     1000], working range [-3.2, 3.2]
+ *     1000], working range [-3.2, 6.3]
  * @param[in] elevation elevation of the normal above the horizon, rad, refused outside [-3.15,
  *     3.15], working range [-1.5, 1.5]
  * @param[out] delta_azimuth reading of the azimuth minus the azimuth, to first order, rad
@@ -1038,7 +1070,7 @@ int heliostat_pointing_terms_f64(
  * @param[out] delta_elevation reading of the elevation minus the elevation, to first order, rad
  *     (heliostat-delta_elevation)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   SINGULAR: the normal is within 1e-6 of the zenith or the nadir: only IA is returned
+ *   SINGULAR: the normal is within 1e-6 of the zenith or the nadir: delta_azimuth is IA alone
  */
 int heliostat_pointing_f64(
     const heliostat_params_f64 *p, double azimuth, double elevation, double *delta_azimuth,

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x4b795bbdUL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x3bbadda9UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -106,6 +106,9 @@ int heliostat_error_angles_f32(
     const int t9 = (1.0e-12f * (t7 * t5)) < Q_square;
     const int steep = !t9; /* heliostat-steep */
     if (steep) {
+      status = ARMILLARY_SINGULAR;
+    }
+    if (overhead) {
       status = ARMILLARY_SINGULAR;
     }
     if (no_direction) {

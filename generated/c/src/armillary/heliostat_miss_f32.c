@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x4b795bbdUL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x3bbadda9UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -93,25 +93,31 @@ int heliostat_miss_f32(
     const float cos_theta = cosf(theta);
     const float normal_z = (cos_theta * t5) + (sin_theta * t3); /* heliostat-normal */
     const float t6 = (cos_theta * t3) - (sin_theta * t5);
-    const float t7 = 2.0f * (((c_x * normal_x) - (c_y * t6)) + (c_z * normal_z));
-    const float b_beam_x = (t7 * normal_x) - c_x; /* heliostat-b_beam */
-    const float t8 = (t7 * t6) + c_y;
-    const float b_beam_z = (t7 * normal_z) - c_z; /* heliostat-b_beam */
-    const float t9 = (t8 * way_z) + (b_beam_z * way_y);
-    const float t10 = (b_beam_z * way_x) - (b_beam_x * way_z);
-    const float t11 = (b_beam_x * way_y) + (t8 * way_x);
-    const float t12 = sqrtf(((t9 * t9) + (t10 * t10)) + (t11 * t11));
+    const float t7 = ((c_x * normal_x) - (c_y * t6)) + (c_z * normal_z);
+    const float t8 = 2.0f * t7;
+    const float b_beam_x = (t8 * normal_x) - c_x; /* heliostat-b_beam */
+    const float t9 = (t8 * t6) + c_y;
+    const float b_beam_z = (t8 * normal_z) - c_z; /* heliostat-b_beam */
+    const float t10 = (t9 * way_z) + (b_beam_z * way_y);
+    const float t11 = (b_beam_z * way_x) - (b_beam_x * way_z);
+    const float t12 = (b_beam_x * way_y) + (t9 * way_x);
+    const float t13 = sqrtf(((t10 * t10) + (t11 * t11)) + (t12 * t12));
     /* heliostat-ahead */
-    const float ahead = ((b_beam_x * way_x) - (t8 * way_y)) + (b_beam_z * way_z);
-    const int t13 = (1.0e-6f * distance) < ahead;
-    const int astray = !t13; /* heliostat-astray */
-    const float t14 = astray ? 1.0e-6f : ahead;
-    const float miss_value = (distance * t12) / t14; /* heliostat-miss */
+    const float ahead = ((b_beam_x * way_x) - (t9 * way_y)) + (b_beam_z * way_z);
+    const int t14 = (1.0e-6f * distance) < ahead;
+    const int astray = !t14; /* heliostat-astray */
+    const float t15 = astray ? 1.0e-6f : ahead;
+    const float miss_value = (distance * t13) / t15; /* heliostat-miss */
     const int on_mirror = distance < 1.0e-6f; /* heliostat-on_mirror */
+    const int t16 = 0.0f < t7;
+    const int unlit = !t16; /* heliostat-unlit */
     if (on_mirror) {
       status = ARMILLARY_UNREACHABLE;
     }
     if (astray) {
+      status = ARMILLARY_UNREACHABLE;
+    }
+    if (unlit) {
       status = ARMILLARY_UNREACHABLE;
     }
     if (status >= 0) {

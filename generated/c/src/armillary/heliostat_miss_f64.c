@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x4b795bbdUL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x3bbadda9UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -95,25 +95,31 @@ int heliostat_miss_f64(
     const double cos_theta = cos(theta);
     const double normal_z = (cos_theta * t5) + (sin_theta * t3); /* heliostat-normal */
     const double t6 = (cos_theta * t3) - (sin_theta * t5);
-    const double t7 = 2.0 * (((c_x * normal_x) - (c_y * t6)) + (c_z * normal_z));
-    const double b_beam_x = (t7 * normal_x) - c_x; /* heliostat-b_beam */
-    const double t8 = (t7 * t6) + c_y;
-    const double b_beam_z = (t7 * normal_z) - c_z; /* heliostat-b_beam */
-    const double t9 = (t8 * way_z) + (b_beam_z * way_y);
-    const double t10 = (b_beam_z * way_x) - (b_beam_x * way_z);
-    const double t11 = (b_beam_x * way_y) + (t8 * way_x);
-    const double t12 = sqrt(((t9 * t9) + (t10 * t10)) + (t11 * t11));
+    const double t7 = ((c_x * normal_x) - (c_y * t6)) + (c_z * normal_z);
+    const double t8 = 2.0 * t7;
+    const double b_beam_x = (t8 * normal_x) - c_x; /* heliostat-b_beam */
+    const double t9 = (t8 * t6) + c_y;
+    const double b_beam_z = (t8 * normal_z) - c_z; /* heliostat-b_beam */
+    const double t10 = (t9 * way_z) + (b_beam_z * way_y);
+    const double t11 = (b_beam_z * way_x) - (b_beam_x * way_z);
+    const double t12 = (b_beam_x * way_y) + (t9 * way_x);
+    const double t13 = sqrt(((t10 * t10) + (t11 * t11)) + (t12 * t12));
     /* heliostat-ahead */
-    const double ahead = ((b_beam_x * way_x) - (t8 * way_y)) + (b_beam_z * way_z);
-    const int t13 = (1.0e-6 * distance) < ahead;
-    const int astray = !t13; /* heliostat-astray */
-    const double t14 = astray ? 1.0e-6 : ahead;
-    const double miss_value = (distance * t12) / t14; /* heliostat-miss */
+    const double ahead = ((b_beam_x * way_x) - (t9 * way_y)) + (b_beam_z * way_z);
+    const int t14 = (1.0e-6 * distance) < ahead;
+    const int astray = !t14; /* heliostat-astray */
+    const double t15 = astray ? 1.0e-6 : ahead;
+    const double miss_value = (distance * t13) / t15; /* heliostat-miss */
     const int on_mirror = distance < 1.0e-6; /* heliostat-on_mirror */
+    const int t16 = 0.0 < t7;
+    const int unlit = !t16; /* heliostat-unlit */
     if (on_mirror) {
       status = ARMILLARY_UNREACHABLE;
     }
     if (astray) {
+      status = ARMILLARY_UNREACHABLE;
+    }
+    if (unlit) {
       status = ARMILLARY_UNREACHABLE;
     }
     if (status >= 0) {
