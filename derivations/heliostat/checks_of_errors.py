@@ -100,7 +100,14 @@ def _slopes(program, row, ways):
 def rates_add_up(kernels):
     """The rates of the drives add up to the angles they go through while the sun moves."""
     points = _regular(kernels, COUNT, 64)
-    points = chosen(points, cos_beta(points, wanted(points)) > 0.3)
+    facing = {**points, "b": points["c"]}
+    for given, mode, share in ((points, "", 1), (facing, ", facing the sun", 2)):
+        calm = chosen(given, cos_beta(given, wanted(given)) > 0.3)
+        yield from _added_up(kernels, calm, mode, share)
+
+
+def _added_up(kernels, points, mode, share):
+    """`share` is 2 where the beam follows the sun: both halves of b + c move then."""
     axis = unit(np.random.default_rng(65).normal(size=points["c"].shape))
     nodes, weights = np.polynomial.legendre.leggauss(16)
     speed = 0.02
@@ -110,18 +117,19 @@ def rates_add_up(kernels):
         c, along = points["c"], np.sum(points["c"] * axis, axis=1, keepdims=True)
         turned = np.cos(turn) * c + np.sin(turn) * np.cross(axis, c)
         turned += (1 - np.cos(turn)) * along * axis
-        return {**points, "c": turned}
+        return {**points, "c": turned, "b": turned if share == 2 else points["b"]}
 
     travelled = {"alpha": 0.0, "beta": 0.0}
     for node, weight in zip((nodes + 1) / 2, weights / 2, strict=True):
         now = at(node)
-        found = kernels.drive_rates(**exact(**now), c_dot=speed * np.cross(axis, now["c"]))
+        moved = share * speed * np.cross(axis, now["c"])
+        found = kernels.drive_rates(**exact(**now), c_dot=moved)
         for name in travelled:
             travelled[name] = travelled[name] + weight * getattr(found, f"{name}_dot")
     first, last = (kernels.drive(**exact(**at(time))) for time in (0.0, 1.0))
     for name, way in travelled.items():
         yield compare(
-            f"the rate of {name} adds up", "balance", way,
+            f"the rate of {name} adds up{mode}", "balance", way,
             getattr(last, name) - getattr(first, name), 1e-12, points, "drive_rates", turn=True,
         )  # fmt: skip
 
