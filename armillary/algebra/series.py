@@ -72,7 +72,8 @@ def truncate(
 
     Definitions below the expression are opened where they stand on a small quantity; what does not
     is kept as it is. Of a `where`, the condition is taken with every small quantity at 0 and both
-    sides are expanded, so the truncation is exact to its order away from the switch only.
+    sides are expanded, so the truncation is exact to its order away from the switch only. Likewise
+    an `atan2` that lies on its cut where they are 0: it is right up to a whole turn.
 
     Raises:
         MisuseError: if the order is not a whole number from 1 up, a small quantity is no symbol, or
