@@ -12,6 +12,7 @@ from armillary.verify.measured import compare
 from armillary.verify.points import chosen
 from armillary.verify.remainder import remainder_check, remainder_order, rotation_bound
 
+from .drive import closed_form
 from .frames import H_R_I, I_R_L
 from .rays import (
     COUNT,
@@ -30,7 +31,6 @@ from .rays import (
     wanted,
 )
 from .series import SMALL, H_R_I_first, I_R_L_first, m_L
-from .series import exact as closed_form
 from .sky import toward
 
 FEW = 60

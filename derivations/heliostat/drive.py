@@ -49,6 +49,28 @@ def turned(v, W, Q):
     return W * v.x - Q * v.y, Q * v.x + W * v.y
 
 
+def sideways(v, offset=None):
+    """W: how far a direction must stand off sideways, `offset` more than the inclination asks."""
+    return sin(chi) * v.z if offset is None else offset + sin(chi) * v.z
+
+
+def left_across(across, W):
+    """Q squared: what of the part across is left for the elevation drive."""
+    return cos(chi) * cos(chi) * across - W * W
+
+
+def risen(v, W, offset=None):
+    """What sin(beta) is proportional to."""
+    return v.z if offset is None else sin(chi) * W + cos(chi) * cos(chi) * v.z
+
+
+def closed_form(v, offset=None):
+    """The drive angles of a direction where nothing is singular: no guard stands in the way."""
+    W = sideways(v, offset)
+    Q = sqrt(left_across(v.x * v.x + v.y * v.y, W))
+    return atan2(*turned(v, W, Q)), atan2(risen(v, W, offset), Q)
+
+
 @dataclass(frozen=True)
 class Reach:
     """A direction in the frame of the azimuth axis, seen from the elevation axis.
@@ -118,9 +140,10 @@ def reach(v, define, offset=None, unit=False):
         latex=r"\rho^2",
     )
     size = number(1) if unit else across + v.z * v.z
+    aside = None if offset is None else sin(offset)
     W = define(
         "W",
-        sin(chi) * v.z if offset is None else sin(offset) + sin(chi) * v.z,
+        sideways(v, aside),
         because="The normal stays square to the elevation axis. That axis is inclined by chi, so "
         "a normal raised to the height Z must stand off sideways by tan(chi) Z; everything here "
         "carries the factor cos(chi), so that nothing is divided.",
@@ -129,7 +152,7 @@ def reach(v, define, offset=None, unit=False):
     )
     square = define(
         "Q_square",
-        cos(chi) * cos(chi) * across - W * W,
+        left_across(across, W),
         because="What is left of the part across is cos(beta) times the length of m, here times "
         "cos(chi). Both squares are small where the difference is, so it keeps its digits near "
         "the edge, which 1 - sin(beta)^2 would lose.",
@@ -164,8 +187,7 @@ def reach(v, define, offset=None, unit=False):
         meaning="cos(beta) cos(chi) |m| on the front branch, 0 in the blind cone",
         latex="Q",
     )
-    rise = v.z if offset is None else sin(chi) * W + cos(chi) * cos(chi) * v.z
-    return Reach(v, across, size, W, rise, square, blind, steep, free, null, Q)
+    return Reach(v, across, size, W, risen(v, W, aside), square, blind, steep, free, null, Q)
 
 
 def _null(size, define):
@@ -256,13 +278,13 @@ beta_track = d.define(
 # ---- what makes the closed form true ----
 # The normal of angles alpha and beta, with the W and Q that these angles stand for.
 
-_W = sin(chi) * normal_I.z
+_W = sideways(normal_I)
 _Q = cos(chi) * cos(beta)
 _across = normal_I.x * normal_I.x + normal_I.y * normal_I.y
 _sine, _cosine = turned(normal_I, _W, _Q)
 d.identity(
     "for the normal of angles alpha and beta the square is that of cos(beta) cos(chi)",
-    cos(chi) * cos(chi) * _across - _W * _W,
+    left_across(_across, _W),
     _Q * _Q,
 )
 d.identity(

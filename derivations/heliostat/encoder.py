@@ -10,13 +10,12 @@ from armillary import (
     cos,
     elementary,
     sin,
-    sqrt,
     truncate,
     vector,
     where,
 )
 
-from .drive import again, reach, turned
+from .drive import again, closed_form, reach
 from .frames import I_R_L
 from .symbols import (
     alpha,
@@ -140,11 +139,8 @@ decoding_cases = [
 
 def read(n_L, length):
     """Azimuth from north and elevation that the encoders read for a multiple of the normal."""
-    v = I_R_L @ n_L
-    W = sin(collimation) * length + sin(chi) * v.z
-    Q = sqrt(cos(chi) * cos(chi) * (v.x * v.x + v.y * v.y) - W * W)
-    rise = sin(chi) * W + cos(chi) * cos(chi) * v.z
-    return atan2(*turned(v, W, Q)) + alpha_0 + PI, atan2(rise, Q) + beta_0
+    turn, raise_ = closed_form(I_R_L @ n_L, sin(collimation) * length)
+    return turn + alpha_0 + PI, raise_ + beta_0
 
 
 IA = d.define(

@@ -8,13 +8,12 @@ from armillary import (
     cos,
     hypot,
     sin,
-    sqrt,
     truncate,
     vector,
     where,
 )
 
-from .drive import azimuth_point, elevation_point, turned
+from .drive import azimuth_point, closed_form, elevation_point
 from .frames import H_R_I, I_R_L, local
 from .optics import m, opposed
 from .symbols import alpha, beta, chi, d, edge_tolerance, psi, theta
@@ -196,18 +195,11 @@ beta_second = d.define(
 )
 
 
-def exact(v):
-    """The drive angles of a direction in the azimuth axis's frame, where nothing is singular."""
-    W = sin(chi) * v.z
-    Q = sqrt(cos(chi) * cos(chi) * (v.x * v.x + v.y * v.y) - W * W)
-    return atan2(*turned(v, W, Q)), atan2(v.z, Q)
-
-
 # A direction whose ideal drive angles are alpha and beta; its length does not matter.
 _height = sin(beta) / cos(beta)
 _direction = vector(cos(alpha), -sin(alpha), _height)
 _plain = Law(_height, *leaning(cos(alpha), -sin(alpha)))
-_expanded = [truncate(angle, 2, SMALL) for angle in exact(I_R_L @ _direction)]
+_expanded = [truncate(angle, 2, SMALL) for angle in closed_form(I_R_L @ _direction)]
 for _order, _terms in ((1, _plain.first()), (2, _plain.second())):
     for _angle, _series, _term in zip(("azimuth", "elevation"), _expanded, _terms, strict=True):
         d.identity(
