@@ -13,16 +13,12 @@ from pathlib import Path
 
 from armillary.derivation import beside
 from armillary.derivation.errors import DerivationError, Source
+from armillary.derivation.folders import names
 from armillary.derivation.mends import told_and_mended
 from armillary.derivation.record import Derivation
 
 _loaded: ContextVar[dict[Path, Derivation] | None] = ContextVar("loaded", default=None)
 _loading: ContextVar[tuple[Path, ...]] = ContextVar("loading", default=())
-
-
-def names(root: Path) -> list[str]:
-    """The systems of a project, sorted."""
-    return sorted(p.parent.name for p in root.glob("*/derivation.py"))
 
 
 def load_all(root: Path) -> dict[str, Derivation]:
@@ -49,7 +45,7 @@ def load(path: Path) -> Derivation:
         if path not in done:
             token = _loading.set((*_loading.get(), path))
             try:
-                done[path] = _run(path)
+                done[path] = _derivation_of(path)
             finally:
                 _loading.reset(token)
         return done[path]
@@ -82,14 +78,23 @@ def shared() -> Iterator[dict[Path, Derivation]]:
         _loaded.reset(token)
 
 
-def _run(path: Path) -> Derivation:
+def run(path: Path) -> beside.Ran:
+    """Run a file of an author.
+
+    Raises:
+        DerivationError: with file, line and mend, for whatever goes wrong in it.
+    """
     try:
-        ran = beside.run(path)
+        return beside.run(path)
     except DerivationError:
         raise
     except Exception as problem:
-        source = last_line_of(path, problem)
+        source = _last_line_of(path, problem)
         raise DerivationError(*told_and_mended(problem, source), source) from problem
+
+
+def _derivation_of(path: Path) -> Derivation:
+    ran = run(path)
     made = getattr(ran.module, "derivation", None)
     if not isinstance(made, Derivation):
         raise DerivationError(
@@ -107,7 +112,7 @@ def _run(path: Path) -> Derivation:
     return made
 
 
-def last_line_of(path: Path, problem: BaseException) -> Source:
+def _last_line_of(path: Path, problem: BaseException) -> Source:
     """The innermost line of a derivation's folder that a problem went through."""
     if isinstance(problem, SyntaxError) and problem.lineno is not None:
         return Source(problem.filename or str(path), problem.lineno)

@@ -4,16 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from armillary.derivation import beside
 from armillary.derivation.errors import DerivationError, Source
-from armillary.derivation.load import last_line_of, shared
-from armillary.derivation.mends import told_and_mended
+from armillary.derivation.folders import paper_names
+from armillary.derivation.load import run, shared
 from armillary.derivation.paper import Paper
-
-
-def paper_names(root: Path) -> list[str]:
-    """The papers of a project's derivations, sorted."""
-    return sorted(p.stem for p in (root / "papers").glob("*.py") if not p.stem.startswith("_"))
 
 
 def load_papers(root: Path) -> dict[str, Paper]:
@@ -33,7 +27,7 @@ def load_paper(path: Path) -> Paper:
         known = ", ".join(paper_names(path.parents[1])) or "none"
         raise DerivationError(f"there is no {path}", f"the papers of this project are: {known}")
     with shared():
-        ran = _run(path)
+        ran = run(path)
     made = getattr(ran.module, "paper", None)
     if not isinstance(made, Paper):
         raise DerivationError(
@@ -49,13 +43,3 @@ def load_paper(path: Path) -> Paper:
         )
     made.files = tuple(map(str, ran.files))
     return made
-
-
-def _run(path: Path) -> beside.Ran:
-    try:
-        return beside.run(path)
-    except DerivationError:
-        raise
-    except Exception as problem:
-        source = last_line_of(path, problem)
-        raise DerivationError(*told_and_mended(problem, source), source) from problem

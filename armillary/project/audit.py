@@ -9,7 +9,6 @@ from armillary.derivation.paper import Paper
 from armillary.derivation.papers import load_paper
 from armillary.derivation.units import Unit
 from armillary.project.config import Project
-from armillary.project.errors import ProjectError
 from armillary.project.generate import Say
 from armillary.site.notation import Notation
 from armillary.site.structure import Structure
@@ -45,7 +44,7 @@ def audit(project: Project, names: tuple[str, ...], say: Say) -> dict[str, tuple
     """
     kept, there = read(project.root), project.papers()
     done: dict[str, tuple[Paper, Audit]] = {}
-    for name in chosen(project, names):
+    for name in project.chosen_papers(names):
         paper = load_paper(project.derivations / "papers" / f"{name}.py")
         known = current(paper, kept)
         if known is None:
@@ -62,24 +61,6 @@ def audit(project: Project, names: tuple[str, ...], say: Say) -> dict[str, tuple
 
 def _findings(paper: Paper) -> tuple[Finding, ...]:
     return compare(paper, Structure(Notation(paper)))
-
-
-def chosen(project: Project, names: tuple[str, ...]) -> list[str]:
-    """The named papers, or all of them.
-
-    Raises:
-        ProjectError: for a name that no paper has.
-    """
-    papers = project.papers()
-    for name in names:
-        if name not in papers:
-            raise ProjectError(
-                f"there is no paper {name!r}",
-                f"choose from {', '.join(papers)}"
-                if papers
-                else f"write derivations/papers/{name}.py",
-            )
-    return [name for name in papers if not names or name in names]
 
 
 def table(paper: Paper, found: Audit, verbose: bool) -> Iterator[str]:

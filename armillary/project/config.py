@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from armillary.derivation.folders import names, paper_names
 from armillary.project.errors import ProjectError
 
 PRECISIONS = ("f32", "f64")
@@ -51,12 +52,11 @@ class Project:
 
     def systems(self) -> list[str]:
         """Every system of the project, sorted."""
-        return sorted(path.parent.name for path in self.derivations.glob("*/derivation.py"))
+        return names(self.derivations)
 
     def papers(self) -> list[str]:
         """Every paper of the project, sorted."""
-        found = (path.stem for path in self.derivations.glob("papers/*.py"))
-        return sorted(name for name in found if not name.startswith("_"))
+        return paper_names(self.derivations)
 
     def chosen(self, names: tuple[str, ...]) -> list[str]:
         """The named systems, or all of them.
@@ -64,16 +64,24 @@ class Project:
         Raises:
             ProjectError: for a name that no system has.
         """
-        systems = self.systems()
-        for name in names:
-            if name not in systems:
-                raise ProjectError(
-                    f"there is no system {name!r}",
-                    f"choose from {', '.join(systems)}"
-                    if systems
-                    else f"`armillary new {name}` adds one",
-                )
-        return [name for name in systems if not names or name in names]
+        return _chosen("system", names, self.systems(), "`armillary new {}` adds one")
+
+    def chosen_papers(self, names: tuple[str, ...]) -> list[str]:
+        """The named papers, or all of them.
+
+        Raises:
+            ProjectError: for a name that no paper has.
+        """
+        return _chosen("paper", names, self.papers(), "write derivations/papers/{}.py")
+
+
+def _chosen(what: str, names: tuple[str, ...], known: list[str], first: str) -> list[str]:
+    """Those of the known that are named, or all; `first` tells how to make the first one."""
+    for name in names:
+        if name not in known:
+            mend = f"choose from {', '.join(known)}" if known else first.format(name)
+            raise ProjectError(f"there is no {what} {name!r}", mend)
+    return [name for name in known if not names or name in names]
 
 
 def find_project(start: Path) -> Project:

@@ -15,7 +15,7 @@ from typing import Any
 
 from armillary.derivation.beside import files_of
 from armillary.derivation.fingerprint import system_digest
-from armillary.derivation.load import names
+from armillary.derivation.folders import names
 from armillary.derivation.record import Derivation
 from armillary.store.files import digest, digest_of, replace_durably
 from armillary.store.lock import locked

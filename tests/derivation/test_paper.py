@@ -5,7 +5,8 @@ import pytest
 from armillary import Derivation, Paper, Rotation, X, Z, elementary, matrix, sin, vector
 from armillary.derivation.entries import rows_of, shape_of
 from armillary.derivation.errors import DerivationError
-from armillary.derivation.papers import load_paper, load_papers, paper_names
+from armillary.derivation.folders import paper_names
+from armillary.derivation.papers import load_paper, load_papers
 
 SYSTEM = """
 from armillary import Derivation, cos, sin

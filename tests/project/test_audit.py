@@ -308,8 +308,6 @@ def test_the_summary_leaves_out_what_nothing_has():
 
 
 def test_names_are_chosen_in_the_order_of_the_project(printed: Project):
-    from armillary.project.audit import chosen
-
-    assert chosen(printed, ("smith", "jones")) == ["jones", "smith"]
+    assert printed.chosen_papers(("smith", "jones")) == ["jones", "smith"]
     with pytest.raises(ProjectError, match="no paper"):
-        chosen(printed, ("nobody",))
+        printed.chosen_papers(("nobody",))

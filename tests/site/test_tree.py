@@ -5,7 +5,7 @@ from urllib.parse import unquote, urlsplit
 
 import pytest
 
-from armillary.derivation.load import names
+from armillary.derivation.folders import names
 from armillary.site.search import wrap_search_index
 from tests.site.conftest import ROOT
 

@@ -7,7 +7,7 @@ import sys
 import numpy as np
 import pytest
 
-from armillary.derivation.load import names
+from armillary.derivation.folders import names
 from tests.targets.compilers import needs
 from tests.targets.conftest import DERIVATIONS, TARGET, print_all
 from tests.targets.reference import ROUNDINGS, agree, answers, points, spoilt

@@ -5,7 +5,7 @@ import dask.array
 import numpy as np
 import pytest
 
-from armillary.derivation.load import names
+from armillary.derivation.folders import names
 from tests.targets.conftest import DERIVATIONS
 from tests.targets.reference import NAN, agree, answers, points, spoilt
 from tests.targets.stress import SYSTEMS
