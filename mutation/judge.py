@@ -24,7 +24,7 @@ from armillary.program.lower import Strategy, lower
 from armillary.program.program import Program
 from armillary.program.scalarise import scalarise
 from armillary.targets.python import PythonKernel, module_file
-from armillary.verify import duals, exact, identities, runner
+from armillary.verify import duals, exact, runner
 from armillary.verify.implementations import forget
 from armillary.verify.measured import Measured, Skipped
 from armillary.verify.points import awkward_points, joined, random_points, rows_of
@@ -152,12 +152,7 @@ def _checks(
     forget(PACKAGE)
     yield from runner.simulation(root, PACKAGE, record)
     yield from duals.checks(record, programs)
-    for identity in record.identities:
-        yield identities.prove(identity)
-    for definition in record.definitions.values():
-        proof = identities.text_book_rotation(definition)
-        if proof is not None:
-            yield proof
+    yield from runner.proofs(record)
 
 
 def _same_values(first: Derivation, second: Derivation) -> bool:

@@ -142,8 +142,7 @@ class Plot:
         for band in self.bands:
             check_drawn(zip(band.x, band.low, band.high, strict=True), f"the band {band.name!r}")
             _fit(self, band.x, [*band.low, *band.high], f"the band {band.name!r}")
-        for mark in self.marks:
-            _fit(self, *(([mark.value], []) if mark.across else ([], [mark.value])), mark.label)
+        _fit_marks(self)
 
     @property
     def axes(self) -> tuple[Axis, Axis]:
@@ -206,8 +205,7 @@ class Histogram:
         for series in self.series:
             check_count(series.name, series.values, len(self.edges) - 1, "cells")
             _fit(self, self.edges, series.values, f"the series {series.name!r}")
-        for mark in self.marks:
-            _fit(self, *(([mark.value], []) if mark.across else ([], [mark.value])), mark.label)
+        _fit_marks(self)
 
     @property
     def axes(self) -> tuple[Axis, Axis]:
@@ -363,6 +361,12 @@ def _check_levels(name: str, levels: Sequence[float], found: Sequence[float]) ->
             f"{levels[-1]:g}",
             "let levels= span the values, or give None where there should be no colour",
         )
+
+
+def _fit_marks(plot: Plot | Histogram) -> None:
+    for mark in plot.marks:
+        x, y = ([mark.value], []) if mark.across else ([], [mark.value])
+        _fit(plot, x, y, mark.label)
 
 
 def _fit(plot: Plot | Histogram | Bars, x: Sequence[Value], y: Sequence[Value], name: str) -> None:

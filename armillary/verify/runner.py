@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import TypeGuard
 
 from armillary.derivation import beside
-from armillary.derivation.load import load_all, names
+from armillary.derivation.folders import names
+from armillary.derivation.load import load_all
 from armillary.derivation.record import Derivation
 from armillary.program.compile import compile_kernel
 from armillary.program.program import Program
@@ -101,14 +102,17 @@ def _is_number(found: Found) -> TypeGuard[Measured]:
 
 def _of_system(root: Path, package: str, record: Derivation, points: int) -> Iterator[Found]:
     programs = {name: compile_kernel(k).program for name, k in record.kernels.items()}
-    yield from _proofs(record, programs)
+    yield from proofs(record)
+    for name, kernel in record.kernels.items():
+        yield from identities.text_book_expression(kernel, programs[name])
     yield from duals.checks(record, programs)
     yield from simulation(root, package, record)
     for found, _ in _parity(root, package, record, points, programs):
         yield found
 
 
-def _proofs(record: Derivation, programs: dict[str, Program]) -> Iterator[Found]:
+def proofs(record: Derivation) -> Iterator[Measured]:
+    """What an author claims, and that every rotation is one."""
     for identity in record.identities:
         try:
             yield identities.prove(identity)
@@ -119,8 +123,6 @@ def _proofs(record: Derivation, programs: dict[str, Program]) -> Iterator[Found]
         proof = identities.text_book_rotation(definition)
         if proof is not None:
             yield proof
-    for name, kernel in record.kernels.items():
-        yield from identities.text_book_expression(kernel, programs[name])
 
 
 def simulation(root: Path, package: str, record: Derivation) -> Iterator[Found]:

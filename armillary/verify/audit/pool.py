@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import dataclass
 from typing import Any
 
 from armillary.algebra import scalar as s
@@ -128,17 +128,7 @@ def _stem(node: Any) -> str:
 def _numbers(blocks: object) -> list[s.Number]:
     """The numbers below an expression, names opened, each value once."""
     found: dict[Any, s.Number] = {}
-    seen: set[int] = set()
-    stack = [blocks]
-    while stack:
-        node = stack.pop()
-        if id(node) in seen:
-            continue
-        seen.add(id(node))
+    for node in parts(blocks, closed=(s.Symbol, v.VectorSymbol)):
         if isinstance(node, (s.Number, Constant)):
             found.setdefault(node.value, s.Number(node.value))
-        elif isinstance(node, tuple):
-            stack.extend(reversed(node))
-        elif is_dataclass(node) and not isinstance(node, (s.Symbol, v.VectorSymbol)):
-            stack.extend(reversed([getattr(node, f.name) for f in fields(node)]))
     return list(found.values())

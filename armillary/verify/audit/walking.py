@@ -14,8 +14,8 @@ REFERENCES = (s.ScalarReference, v.VectorReference, s.ConditionReference, Rotati
 _CLOSED = (s.Symbol, v.VectorSymbol, RotationSymbol, *REFERENCES)
 
 
-def parts(node: Any) -> Iterator[Any]:
-    """A node and what is below it, once each, in the order met."""
+def parts(node: Any, closed: tuple[type, ...] = _CLOSED) -> Iterator[Any]:
+    """A node and what is below it, once each, in the order met; what is `closed` is not opened."""
     stack, seen = [node], set()
     while stack:
         part = stack.pop()
@@ -23,7 +23,7 @@ def parts(node: Any) -> Iterator[Any]:
             continue
         seen.add(id(part))
         yield part
-        if not isinstance(part, _CLOSED):
+        if not isinstance(part, closed):
             stack.extend(reversed(_children(part)))
 
 

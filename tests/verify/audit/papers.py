@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from armillary import Chain, Derivation, Paper, X, Y, Z
 from armillary.derivation.record import Used
+from armillary.verify.audit.audit import audit
 
 
 class Arm:
@@ -34,3 +35,9 @@ class Arm:
         )  # fmt: skip
         self.p = Paper("arm_paper")
         self.p.used["arm"] = Used(d)
+
+
+def only(arm, latex=None):
+    """The finding on the one print of the paper."""
+    (finding,) = audit(arm.p, latex)
+    return finding

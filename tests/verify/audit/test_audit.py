@@ -25,19 +25,9 @@ from armillary import (
 )
 from armillary.verify.audit.audit import audit
 from armillary.verify.audit.verdict import Verdict
-from tests.verify.audit.papers import Arm
+from tests.verify.audit.papers import only
 
 ROOT = Path(__file__).parents[3]
-
-
-@pytest.fixture
-def arm():
-    return Arm()
-
-
-def only(arm, latex=None):
-    (finding,) = audit(arm.p, latex)
-    return finding
 
 
 def printed_rotation(arm):

@@ -5,17 +5,7 @@ import pytest
 from armillary import X, Y, Z, absolute, cos, elementary, matrix, number, sin, vector
 from armillary.verify.audit.audit import audit
 from armillary.verify.audit.verdict import Verdict
-from tests.verify.audit.papers import Arm
-
-
-@pytest.fixture
-def arm():
-    return Arm()
-
-
-def only(arm):
-    (finding,) = audit(arm.p)
-    return finding
+from tests.verify.audit.papers import only
 
 
 def test_a_word_that_fits(arm):

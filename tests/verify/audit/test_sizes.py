@@ -7,17 +7,7 @@ from armillary.derivation.errors import DerivationError
 from armillary.verify.audit.audit import audit
 from armillary.verify.audit.shown import error_text
 from armillary.verify.audit.verdict import Verdict
-from tests.verify.audit.papers import Arm
-
-
-@pytest.fixture
-def arm():
-    return Arm()
-
-
-def only(arm):
-    (finding,) = audit(arm.p)
-    return finding
+from tests.verify.audit.papers import only
 
 
 def test_a_wrong_term_beyond_the_order_is_told(arm):
