@@ -20,6 +20,8 @@ from armillary.algebra.direction import (
     Elevation,
     ElevationTangent,
 )
+from armillary.algebra.indexed import At, OneLike, Total, VectorAt, VectorTotal, at, indices
+from armillary.algebra.misuse import MisuseError
 from armillary.algebra.rotation import (
     Elementary,
     Factor,
@@ -120,7 +122,15 @@ def partial_seed(symbol: s.Symbol) -> Seed:
 
 @singledispatch
 def _scalar(node: s.Scalar, d: Differentiator) -> s.Scalar:
-    raise TypeError(f"no derivative rule for {type(node).__name__}")
+    iteration = getattr(node, "iteration", None)  # a class that stands on this module
+    if iteration is None:
+        raise TypeError(f"no derivative rule for {type(node).__name__}")
+    if all(s.is_zero(d.scalar(residual)) for residual in iteration.residuals):
+        return s.ZERO
+    raise MisuseError(
+        "the result of an iteration has no derivative",
+        "differentiate the residuals that it makes zero, and solve for the rates",
+    )
 
 
 @_scalar.register
@@ -193,6 +203,11 @@ def _(node: s.ArcSine, d: Differentiator) -> s.Scalar:
 
 
 @_scalar.register
+def _(node: s.ArcCosine, d: Differentiator) -> s.Scalar:
+    return s.negate(s.divide(d.scalar(node.argument), node.sine()))
+
+
+@_scalar.register
 def _(node: Azimuth, d: Differentiator) -> s.Scalar:
     return azimuth_rate(node.vector, d.turning(node.vector))
 
@@ -245,6 +260,24 @@ def _(node: s.Dot, d: Differentiator) -> s.Scalar:
 @_scalar.register
 def _(node: s.ScalarReference, d: Differentiator) -> s.Scalar:
     return d.scalar(node.expression)
+
+
+@_scalar.register
+def _(node: OneLike, d: Differentiator) -> s.Scalar:
+    return s.ZERO
+
+
+@_scalar.register
+def _(node: Total, d: Differentiator) -> s.Scalar:
+    change = d.scalar(node.term)
+    if node.over in indices(change):
+        return Total(change, node.over)
+    return s.multiply(s.number(node.over.size), change)
+
+
+@_scalar.register
+def _(node: At, d: Differentiator) -> s.Scalar:
+    return at(d.scalar(node.term), node.over, node.place)
 
 
 @singledispatch
@@ -320,6 +353,19 @@ def _(node: v.Rotated, d: Differentiator) -> v.Vector:
 @_vector.register
 def _(node: v.Choice, d: Differentiator) -> v.Vector:
     return d.vector(node.nested)
+
+
+@_vector.register
+def _(node: VectorTotal, d: Differentiator) -> v.Vector:
+    change = d.vector(node.term)
+    if node.over in indices(change):
+        return VectorTotal(change, node.over)
+    return v.scale(s.number(node.over.size), change)
+
+
+@_vector.register
+def _(node: VectorAt, d: Differentiator) -> v.Vector:
+    return at(d.vector(node.term), node.over, node.place)
 
 
 @_vector.register

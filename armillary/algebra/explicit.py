@@ -6,6 +6,8 @@ an identity holds when their difference reduces to zero.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from copy import copy
 from functools import singledispatchmethod
 
 import sympy
@@ -13,6 +15,18 @@ import sympy
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.algebra.direction import OfDirection
+from armillary.algebra.index import Index
+from armillary.algebra.indexed import (
+    AnyOf,
+    At,
+    OneLike,
+    Table,
+    Total,
+    VectorAt,
+    VectorTotal,
+    indices,
+)
+from armillary.algebra.iteration import Iterated, Iteration
 from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench
 from armillary.algebra.rotation import (
     Elementary,
@@ -28,12 +42,18 @@ Node = s.Scalar | s.Condition | v.Vector | Rotation | Pose | Twist | Wrench | Ma
 class Explicit:
     """Translates nodes to SymPy; one instance shares what the derivation shares.
 
-    `named` keeps references as symbols of their own instead of opening them.
+    `named` keeps references as symbols of their own instead of opening them. `at` says at which
+    part of an index an expression is wanted; an index that it leaves out stays open, and what is
+    per part keeps one name for all. The result of an iteration is a symbol of its own:
+    `iterations` collects under its name what it stands for, and at which parts.
     """
 
-    def __init__(self, named: bool = False) -> None:
+    def __init__(self, named: bool = False, at: Mapping[Index, int] | None = None) -> None:
         self.named = named
+        self.at: dict[Index, int] = dict(at or {})
+        self.iterations: dict[str, tuple[Iteration, Explicit]] = {}
         self._done: dict[int, tuple[Node, sympy.Basic]] = {}
+        self._elsewhere: dict[tuple[Index, int], Explicit] = {}
 
     def __call__(self, node: Node) -> sympy.Basic:
         known = self._done.get(id(node))
@@ -41,6 +61,24 @@ class Explicit:
             known = (node, self.translate(node))  # the node is held, so its id stays its own
             self._done[id(node)] = known
         return known[1]
+
+    def moved(self, over: Index, place: int) -> Explicit:
+        """The same translation at one part of an index."""
+        key = over, place
+        if key not in self._elsewhere:
+            other = copy(self)
+            other.at, other._done, other._elsewhere = {**self.at, over: place}, {}, {}
+            self._elsewhere[key] = other
+        return self._elsewhere[key]
+
+    def name(self, node: s.Symbol | s.ScalarReference | v.VectorSymbol | v.VectorReference) -> str:
+        """The name of a symbol or a definition, with the numbers of the parts it is wanted at."""
+        return "_".join([node.name, *self._places(node)])
+
+    def _places(self, node: object) -> list[str]:
+        if not self.at:
+            return []
+        return [str(self.at[i] + 1) for i in sorted(indices(node), key=str) if i in self.at]
 
     @singledispatchmethod
     def translate(self, node: Node) -> sympy.Basic:
@@ -52,7 +90,43 @@ class Explicit:
 
     @translate.register
     def _(self, node: s.Symbol) -> sympy.Basic:
-        return symbol(node.name)
+        return symbol(self.name(node))
+
+    @translate.register
+    def _(self, node: Table) -> sympy.Basic:
+        known = self.at.get(node.per)
+        return symbol(node.name) if known is None else node.values[known]
+
+    @translate.register
+    def _(self, node: OneLike) -> sympy.Basic:
+        return sympy.Integer(1)
+
+    @translate.register
+    def _(self, node: Total) -> sympy.Basic:
+        parts = (self.moved(node.over, k)(node.term) for k in range(node.over.size))
+        return sum(parts, sympy.Integer(0))
+
+    @translate.register
+    def _(self, node: VectorTotal) -> sympy.Basic:
+        parts = (self.moved(node.over, k)(node.term) for k in range(node.over.size))
+        return sum(parts, sympy.zeros(3, 1))
+
+    @translate.register
+    def _(self, node: At | VectorAt) -> sympy.Basic:
+        return self.moved(node.over, node.place)(node.term)
+
+    @translate.register
+    def _(self, node: AnyOf) -> sympy.Basic:
+        return sympy.Or(*(self.moved(node.over, k)(node.term) for k in range(node.over.size)))
+
+    @translate.register
+    def _(self, node: Iterated) -> sympy.Basic:
+        given, copies = node.iteration, 1
+        key = first = "_".join([given.turns.name, *self._places(node)])
+        while self.iterations.setdefault(key, (given, self))[0] is not given:
+            copies += 1
+            key = f"{first}_copy{copies}"
+        return symbol(f"{key}_{node.unknown.name}")
 
     @translate.register
     def _(self, node: s.Add) -> sympy.Basic:
@@ -91,6 +165,10 @@ class Explicit:
         return sympy.asin(self(node.argument))
 
     @translate.register
+    def _(self, node: s.ArcCosine) -> sympy.Basic:
+        return sympy.acos(self(node.argument))
+
+    @translate.register
     def _(self, node: OfDirection) -> sympy.Basic:
         return self(node.explicit())
 
@@ -115,7 +193,7 @@ class Explicit:
 
     @translate.register
     def _(self, node: s.ScalarReference) -> sympy.Basic:
-        return symbol(node.name) if self.named else self(node.expression)
+        return symbol(self.name(node)) if self.named else self(node.expression)
 
     @translate.register
     def _(self, node: s.Less) -> sympy.Basic:
@@ -143,7 +221,7 @@ class Explicit:
 
     @translate.register
     def _(self, node: v.VectorSymbol) -> sympy.Basic:
-        return vector_symbol(node.name)
+        return vector_symbol(self.name(node))
 
     @translate.register
     def _(self, node: v.VectorSum) -> sympy.Basic:
@@ -176,7 +254,7 @@ class Explicit:
 
     @translate.register
     def _(self, node: v.VectorReference) -> sympy.Basic:
-        return vector_symbol(node.name) if self.named else self(node.expression)
+        return vector_symbol(self.name(node)) if self.named else self(node.expression)
 
     @translate.register
     def _(self, node: Rotation) -> sympy.Basic:

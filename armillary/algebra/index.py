@@ -12,11 +12,13 @@ class Index:
     Attributes:
         size: how many there are; parts count from 0.
         sequential: whether each turn stands on the one before, as in an iteration.
+        letter: how it is printed as a subscript.
     """
 
     name: str
     size: int
     sequential: bool = False
+    letter: str = "i"
 
     def __str__(self) -> str:
         return self.name

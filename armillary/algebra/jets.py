@@ -262,6 +262,11 @@ def _(node: s.ArcSine, jets: Jets) -> ScalarJet:
 
 
 @_scalar.register
+def _(node: s.ArcCosine, jets: Jets) -> ScalarJet:
+    return jets.scalar(node.explicit())
+
+
+@_scalar.register
 def _(node: OfDirection, jets: Jets) -> ScalarJet:
     return jets.scalar(replace(node, vector=jets.direction(node.vector)).explicit())
 

@@ -169,6 +169,20 @@ class ArcSine(Scalar):
 
 
 @dataclass(frozen=True, eq=False)
+class ArcCosine(Scalar):
+    """The angle in [0, pi] that has a cosine; for prints, which write it so."""
+
+    argument: Scalar
+
+    def sine(self) -> Scalar:
+        """The sine of the angle, as a product too."""
+        return ArcSine(self.argument).cosine()
+
+    def explicit(self) -> Scalar:
+        return ArcTangent(self.sine(), self.argument)
+
+
+@dataclass(frozen=True, eq=False)
 class Absolute(Scalar):
     """An absolute value."""
 
@@ -200,13 +214,27 @@ class Dot(Scalar):
     right: Vector
 
 
+class Given:
+    """Replacements in a definition: pairs of a node and what took its place.
+
+    No dataclass, so that nothing that walks through an expression walks into it.
+    """
+
+    def __init__(self, pairs: tuple[tuple[object, object], ...]) -> None:
+        self.pairs = pairs
+
+
 @dataclass(frozen=True, eq=False)
 class ScalarReference(Scalar):
-    """A defined scalar: the name stands for the expression, which is kept."""
+    """A defined scalar: the name stands for the expression, which is kept.
+
+    `given` tells what `substitute` replaced in it.
+    """
 
     name: str
     identifier: str
     expression: Scalar
+    given: Given | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -381,6 +409,11 @@ def arcsin(sine: ScalarLike) -> Scalar:
     It is for what a paper prints; a derivation keeps its digits with `atan2`.
     """
     return ArcSine(as_scalar(sine))
+
+
+def arccos(cosine: ScalarLike) -> Scalar:
+    """Angle in [0, pi] with this cosine, which must lie in [-1, 1]; for prints, as `arcsin`."""
+    return ArcCosine(as_scalar(cosine))
 
 
 def absolute(value: ScalarLike) -> Scalar:

@@ -11,6 +11,7 @@ from armillary.algebra.scalar import (
     Component,
     Divide,
     Dot,
+    Given,
     Negate,
     Scalar,
     ScalarLike,
@@ -168,11 +169,15 @@ class Choice(Vector):
 
 @dataclass(frozen=True, eq=False)
 class VectorReference(Vector):
-    """A defined vector: the name stands for the expression, which is kept."""
+    """A defined vector: the name stands for the expression, which is kept.
+
+    `given` tells what `substitute` replaced in it.
+    """
 
     name: str
     identifier: str
     expression: Vector
+    given: Given | None = None
 
 
 NULL = Components((ZERO, ZERO, ZERO))

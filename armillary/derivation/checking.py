@@ -2,33 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import sympy
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
-from armillary.algebra.misuse import not_a_condition, told
+from armillary.algebra.index import Index
+from armillary.algebra.indexed import indices
+from armillary.algebra.misuse import told
 from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench
 from armillary.algebra.rotation import Rotation
 from armillary.derivation.errors import DerivationError, Source
-from armillary.derivation.names import check_name
-from armillary.derivation.quantity import (
-    AnyQuantity,
-    Constant,
-    Role,
-)
-from armillary.derivation.statements import Block, Case, Kernel, Output
-from armillary.derivation.status import Status
+from armillary.derivation.statements import Block
 from armillary.derivation.symbols import leaves
 from armillary.derivation.units import Unit, UnitError, check_block
 from armillary.mechanism.chain import Chain
 
 if TYPE_CHECKING:
     from armillary.derivation.record import Derivation
-
-_OF_GUARDS = (Status.NOT_FINITE, Status.OUT_OF_RANGE)
 
 
 def check_expression(what: str, value: object, source: Source) -> None:
@@ -88,6 +80,20 @@ def check_unit(name: str, expression: Block, unit: Unit | None, source: Source) 
     return unit or found
 
 
+def check_parts(d: Derivation, what: str, value: object, source: Source) -> tuple[Index, ...]:
+    """The indices that an expression is left open in, in the order declared."""
+    open_in = indices(value)
+    known = d.all_indices()
+    missing = sorted(i.name for i in open_in if i not in known)
+    if missing:
+        raise DerivationError(
+            f"{what} runs over {missing[0]}, which is no index of {d.name}",
+            f'declare it with d.index("{missing[0]}", ...)',
+            source,
+        )
+    return tuple(i for i in known if i in open_in)
+
+
 def check_reason(name: str, because: object, source: Source) -> str:
     """A definition says why."""
     if isinstance(because, str) and because.strip():
@@ -105,6 +111,22 @@ def check_meaning(name: str, meaning: object, source: Source) -> None:
         )
 
 
+def check_per(d: Derivation, name: str, per: object, source: Source) -> None:
+    """What a quantity is per is an index of the derivation, or of one that it uses."""
+    if per is None:
+        return
+    if not isinstance(per, Index):
+        mend = 'write leg = d.index("leg", 3) before, and give per=leg'
+        raise DerivationError(f"{name} is per {told(per)}, not per an index", mend, source)
+    if per not in d.all_indices():
+        names = ", ".join(str(i) for i in d.all_indices()) or "none yet"
+        raise DerivationError(
+            f"{name} is per {per}, which is no index of {d.name}",
+            f"declare it with d.index(...); it has {names}",
+            source,
+        )
+
+
 # -- identities ------------------------------------------------------------------------------
 
 
@@ -116,6 +138,7 @@ def check_identity(d: Derivation, claim: str, left: Block, right: Block, source:
         check_expression(f"{side} of {what}", value, source)
         check_symbols(d, what, value, source)
         units.append(check_unit(f"{side} of {what}", value, None, source))
+    check_parts(d, what, (left, right), source)
     kinds = [_kind(claim, value, source) for value in (left, right)]
     if kinds[0] != kinds[1]:
         raise DerivationError(
@@ -154,139 +177,3 @@ def _shape(value: Pose | Matrix | Rotation | s.Scalar | v.Vector) -> tuple[int, 
     if isinstance(value, Rotation):
         return (3, 3)
     return value.shape if isinstance(value, Matrix) else (4, 4)
-
-
-# -- kernels ---------------------------------------------------------------------------------
-
-
-def as_inputs(
-    d: Derivation, inputs: object, kernel: str, source: Source
-) -> tuple[AnyQuantity, ...]:
-    """The inputs of a kernel, each a quantity that is not a parameter."""
-    return tuple(_as_input(d, q, kernel, source) for q in _several("inputs", inputs, source))
-
-
-def _several(argument: str, value: object, source: Source) -> Iterable[object]:
-    if not isinstance(value, Iterable) or isinstance(value, (str, *Block.__args__)):
-        raise DerivationError(
-            f"{argument}= is {told(value)}, not a list", f"write {argument}=[...]", source
-        )
-    return value
-
-
-def _as_input(d: Derivation, quantity: object, kernel: str, source: Source) -> AnyQuantity:
-    if not isinstance(quantity, AnyQuantity):
-        raise DerivationError(
-            f"an input of kernel {kernel} is not a quantity of {d.name}",
-            "list quantities made by d.angle, d.length, ... or a quantity's rate()",
-            source,
-        )
-    if quantity.facts.role is not Role.INPUT:
-        raise DerivationError(
-            f"{quantity.name} is a {quantity.facts.role.value}, not an input",
-            "leave it out of inputs=: every kernel gets all parameters by itself",
-            source,
-        )
-    return quantity
-
-
-def as_outputs(
-    d: Derivation, outputs: Sequence[Block] | Mapping[str, Block], kernel: str, source: Source
-) -> tuple[Output, ...]:
-    """The results of a kernel under their names."""
-    if not isinstance(outputs, Mapping):
-        by_name: dict[str, Block] = {}
-        for value in _several("outputs", outputs, source):
-            definition = d.definition_of(value)
-            if definition is None:
-                raise DerivationError(
-                    "an output is not a definition, so it has no name",
-                    "d.define it, or give outputs={'name': expression}",
-                    source,
-                )
-            by_name[definition.name] = definition.value
-        outputs = by_name
-    if not outputs:
-        raise DerivationError(
-            f"kernel {kernel} has no outputs",
-            "list in outputs= the definitions that it returns",
-            source,
-        )
-    return tuple(_as_output(d, name, value, source) for name, value in outputs.items())
-
-
-def _as_output(d: Derivation, name: str, value: Block, source: Source) -> Output:
-    check_name(name, "result", source)
-    check_expression(f"result {name}", value, source)
-    check_symbols(d, f"result {name}", value, source)
-    definition = d.definition_of(value)
-    unit = definition.unit if definition else check_unit(name, value, None, source)
-    if isinstance(value, (Pose, Twist)):
-        value = value.matrix()
-    if isinstance(value, (Wrench, s.Condition)):
-        raise DerivationError(
-            f"result {name} is a {type(value).__name__.lower()}, which no kernel returns whole",
-            "return its parts as vectors",
-            source,
-        )
-    return Output(name, value, definition, unit)
-
-
-def as_cases(cases: object, kernel: str, source: Source) -> tuple[Case, ...]:
-    """The points of a kernel that have a status of their own."""
-    return tuple(_as_case(case, kernel, source) for case in _several("cases", cases, source))
-
-
-def _as_case(case: Any, kernel: str, source: Source) -> Case:
-    if not isinstance(case, (tuple, list)) or len(case) != 3:
-        raise DerivationError(
-            f"a case of kernel {kernel} is not a triple",
-            'write cases=[(Status.SINGULAR, condition, "what holds there")]',
-            source,
-        )
-    status, condition, because = case
-    if not isinstance(status, Status):
-        problem, mend = f"begins with {told(status)}, not with a Status", "begin it with Status.X"
-    elif status is Status.OK:
-        problem, mend = "answers OK", "leave it out: a kernel answers OK where no case holds"
-    elif status in _OF_GUARDS:
-        problem = f"answers {status.name}, which belongs to the limits of the inputs"
-        mend = "declare limits= on the quantity, or answer with another status"
-    elif not isinstance(condition, s.Condition):
-        wrong = not_a_condition(condition)
-        problem, mend = f"has no condition: {wrong.problem}", wrong.mend
-    elif not isinstance(because, str) or not because.strip():
-        problem, mend = "says nothing", "end it with a sentence on what holds there"
-    else:
-        check_unit(f"the case {status.name} of kernel {kernel}", condition, None, source)
-        return Case(status, condition, because)
-    raise DerivationError(f"a case of kernel {kernel} {problem}", mend, source)
-
-
-def check_reach(kernel: Kernel) -> None:
-    """Every symbol that the results and cases need must be an argument or a constant."""
-    given = {id(q) for q in (*kernel.inputs, *kernel.parameters)}
-    wanted: list[tuple[str, object]] = [(f"result {o.name}", o.value) for o in kernel.outputs]
-    wanted += [(f"the case {c.status.name}", c.condition) for c in kernel.cases]
-    for what, value in wanted:
-        for leaf in leaves(value):
-            if id(leaf) not in given and not isinstance(leaf, Constant):
-                raise DerivationError(
-                    f"{what} of kernel {kernel.name} needs {leaf.name}, "
-                    "which is neither an input of the kernel nor a parameter",
-                    f"add {leaf.name} to inputs=",
-                    kernel.source,
-                )
-
-
-def check_arguments(kernel: Kernel) -> None:
-    """Two arguments may not print as one name: vectors and rotations print by part too."""
-    names = kernel.argument_names()
-    twice = next((name for k, name in enumerate(names) if name in names[:k]), None)
-    if twice is not None:
-        raise DerivationError(
-            f"kernel {kernel.name} has two arguments that print as {twice}",
-            "rename one of them; the components of a vector v print as v_x, v_y, v_z, "
-            "the entries of a rotation R as R_11 to R_33",
-            kernel.source,
-        )

@@ -130,8 +130,13 @@ class _Digest:
 
     def _text(self, node: object) -> str:
         if isinstance(node, _REFERENCES):
-            return f"reference {node.identifier} {node.name}"
+            given = getattr(node, "given", None)
+            pairs = " ".join(self.of(pair) for pair in given.pairs) if given else ""
+            return f"reference {node.identifier} {node.name} {pairs}".rstrip()
         if isinstance(node, Leaf):
+            values = getattr(node, "values", None)
+            if values is not None:
+                return f"table {node.name} {' '.join(sympy.srepr(x) for x in values)}"
             value = getattr(node, "value", None)
             return f"symbol {node.name} {sympy.srepr(value) if value is not None else ''}"
         if isinstance(node, sympy.Basic):

@@ -11,12 +11,15 @@ from dataclasses import dataclass
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
+from armillary.algebra.index import Index
+from armillary.algebra.indexed import indices
 from armillary.algebra.rigid import Matrix
 from armillary.algebra.rotation import Rotation
 from armillary.derivation.checking import check_expression, check_symbols
 from armillary.derivation.entries import shape_of
 from armillary.derivation.errors import DerivationError, Source, caller
 from armillary.derivation.quantity import Quantity
+from armillary.derivation.ranges import Between, Extremes, LeastMoved
 from armillary.derivation.record import Derivation
 from armillary.derivation.statements import Block
 from armillary.mechanism.chain import Chain
@@ -33,6 +36,14 @@ class Reading:
 
 
 @dataclass(frozen=True, eq=False)
+class Meant:
+    """What the names of a print may stand for instead: `words` say what is true then."""
+
+    words: str
+    names: tuple[tuple[Block, Block], ...]
+
+
+@dataclass(frozen=True, eq=False)
 class Equation:
     """A printed equation, or a sentence that states one.
 
@@ -46,6 +57,8 @@ class Equation:
         product: the printed product of joints whose result this claims to be.
         frames: rotations by which a vector may have been left in another frame.
         given: where the print says that it holds; None is everywhere.
+        meant: other things that its names may stand for, on both sides, by what is true then:
+            "the components in {P}".
     """
 
     key: str
@@ -58,6 +71,7 @@ class Equation:
     frames: tuple[tuple[str, Rotation], ...]
     given: s.Condition | None
     source: Source
+    meant: tuple[Meant, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,23 +118,6 @@ class Needed:
 
 
 @dataclass(frozen=True, eq=False)
-class Between:
-    """A sentence that says a value lies between two others, everywhere it is used.
-
-    Attributes:
-        words: what the value is: "the angle between the axes".
-    """
-
-    key: str
-    quote: str
-    words: str
-    value: s.Scalar
-    low: s.Scalar
-    high: s.Scalar
-    source: Source
-
-
-@dataclass(frozen=True, eq=False)
 class Spans:
     """A sentence that calls three turns a combination of orientation angles."""
 
@@ -141,7 +138,9 @@ class Unchecked:
     source: Source
 
 
-Printed = Equation | Word | Negligible | Needed | Between | Spans | Unchecked
+Printed = (
+    Equation | Word | Negligible | Needed | Between | Extremes | LeastMoved | Spans | Unchecked
+)
 
 
 class Paper(Derivation):
@@ -170,12 +169,15 @@ class Paper(Derivation):
         product: Chain | None = None,
         frames: Mapping[str, Rotation] | None = None,
         given: s.Condition | None = None,
+        meant: Mapping[str, Mapping[Block, Block]] | None = None,
     ) -> None:
         """A numbered equation; with `quote`, a sentence that states one.
 
         Args:
             claims: the definition it claims to equal, from a system that is used.
             printed: what stands there; a mapping from how it is read, where that is doubtful.
+            meant: other things that its names may stand for, from what is true then ("the
+                components in {P}") to a mapping from names, on either side, to those things.
         """
         source = caller()
         readings = printed if isinstance(printed, Mapping) else {"": printed}
@@ -191,13 +193,15 @@ class Paper(Derivation):
         for block in readings.values():
             self._check(key, block, source)
             _check_shape(key, claims, block, source)
+        others = tuple(Meant(words, tuple(named.items())) for words, named in (meant or {}).items())
+        for other in others:
+            for pair in other.names:
+                self._check_meant(key, *pair, source)
         made = tuple(Reading(name, block) for name, block in readings.items())
-        turned = tuple((frames or {}).items())
+        turned, few = tuple((frames or {}).items()), tuple(small)
         self._state(
-            Equation(
-                key, words, quote, claims, made, tuple(small), product, turned, given, source
-            )
-        )  # fmt: skip
+            Equation(key, words, quote, claims, made, few, product, turned, given, source, others)
+        )
 
     def word(self, key: str, quote: str, word: str, of: Mapping[str, Matrix]) -> None:
         """A sentence that says matrices have a property: one of `PROPERTIES`."""
@@ -250,16 +254,50 @@ class Paper(Derivation):
         key: str,
         quote: str,
         value: s.Scalar,
-        low: s.ScalarLike,
-        high: s.ScalarLike,
+        low: s.ScalarLike | None,
+        high: s.ScalarLike | None,
         *,
         words: str,
+        given: s.Condition | None = None,
     ) -> None:
         """A sentence that bounds a value; `words` say which: "the angle between the axes"."""
         source = caller()
+        least, largest = (None if b is None else s.as_scalar(b) for b in (low, high))
+        for block in (value, least, largest, given):
+            if block is not None:
+                self._check(key, block, source)
+        self._state(Between(key, quote, words, value, least, largest, source, given))
+
+    def extremes(
+        self,
+        key: str,
+        quote: str,
+        value: s.Scalar,
+        least: s.ScalarLike,
+        largest: s.ScalarLike,
+        *,
+        to: s.ScalarLike,
+        words: str,
+    ) -> None:
+        """A sentence that names the least and the largest of a value, rounded to `to`."""
+        source = caller()
         self._check(key, value, source)
-        bounds = s.as_scalar(low), s.as_scalar(high)
-        self._state(Between(key, quote, words, value, *bounds, source))
+        low, high, digit = (s.as_scalar(number) for number in (least, largest, to))
+        self._state(Extremes(key, quote, words, value, low, high, digit, source))
+
+    def least_moved(
+        self, key: str, quote: str, value: s.Scalar, *, over: Index, part: int, words: str
+    ) -> None:
+        """A sentence that says part number `part` of an index, from 0, changes least."""
+        source = caller()
+        self._check(key, value, source)
+        if over not in indices(value) or not 0 <= part < over.size:
+            raise DerivationError(
+                f"{key!r} compares part {part} of {over.name} with the others",
+                f"give a value per {over.name} and a part from 0 to {over.size - 1}",
+                source,
+            )
+        self._state(LeastMoved(key, quote, words, value, over, part, source))
 
     def spans(self, key: str, quote: str, turns: Rotation, angles: Sequence[Quantity]) -> None:
         """A sentence that says three turns reach every orientation."""
@@ -278,6 +316,16 @@ class Paper(Derivation):
     def _check(self, key: str, block: Block, source: Source) -> None:
         check_expression(f"equation ({key})", block, source)
         check_symbols(self, f"equation ({key})", block, source)
+
+    def _check_meant(self, key: str, name: Block, other: Block, source: Source) -> None:
+        self._check(key, name, source)
+        self._check(key, other, source)
+        if shape_of(name) != shape_of(other):
+            raise DerivationError(
+                f"what a name of equation ({key}) may stand for has another shape",
+                "put a scalar for a scalar and a vector for a vector",
+                source,
+            )
 
     def _state(self, made: Printed) -> None:
         if made.key in self.printed:

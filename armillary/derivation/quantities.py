@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from armillary.algebra.index import Index
 from armillary.derivation.boxes import check_limits, check_range, range_within
-from armillary.derivation.checking import check_meaning
-from armillary.derivation.errors import caller
+from armillary.derivation.checking import check_meaning, check_per
+from armillary.derivation.errors import DerivationError, caller
 from armillary.derivation.names import check_name
 from armillary.derivation.naming import latex_name
 from armillary.derivation.quantity import (
@@ -43,9 +44,13 @@ class Quantities:
         limits: tuple[float, float] | None = None,
         range: tuple[float, float] | None = None,
         latex: str | None = None,
+        per: Index | None = None,
     ) -> Quantity:
-        """A scalar in any unit; `limits` are refused beyond, `range` is where it works."""
-        facts = self._facts(name, meaning, unit, rate, kind, limits, range, latex)
+        """A scalar in any unit; `limits` are refused beyond, `range` is where it works.
+
+        With `per`, each part of an index has one: an array in every language.
+        """
+        facts = self._facts(name, meaning, unit, rate, kind, limits, range, latex, per)
         return self._record._declare(Quantity(name, facts, self._record._make_rate, {}))
 
     def angle(self, name: str, meaning: str, **more: object) -> Quantity:
@@ -71,13 +76,20 @@ class Quantities:
         limits: tuple[float, float] | None = None,
         range: tuple[float, float] | None = None,
         latex: str | None = None,
+        per: Index | None = None,
     ) -> VectorQuantity:
-        """A vector of three components in one unit."""
-        facts = self._facts(name, meaning, unit, rate, kind, limits, range, latex)
+        """A vector of three components in one unit; with `per`, one for each part of an index."""
+        facts = self._facts(name, meaning, unit, rate, kind, limits, range, latex, per)
         return self._record._declare(VectorQuantity(name, facts, self._record._make_rate, {}))
 
     def unit_vector(self, name: str, meaning: str, **more: object) -> VectorQuantity:
         """A vector of norm 1; refused when its square is off by more than 1e-3."""
+        if more.get("per") is not None:
+            raise DerivationError(
+                f"{name} is a unit vector per {more['per']}, which no kernel takes",
+                "give d.vector(..., per=...) and normalise it with unit(...)",
+                caller(),
+            )
         return self.vector(name, meaning, kind=Kind.UNIT_VECTOR, **more)  # type: ignore[arg-type]
 
     def rotation(
@@ -88,7 +100,7 @@ class Quantities:
         That is: a column's square, or two columns' dot product, off by more than 1e-3, or a
         reflection.
         """
-        facts = self._facts(name, meaning, ONE, rate, Kind.ROTATION, None, None, latex)
+        facts = self._facts(name, meaning, ONE, rate, Kind.ROTATION, None, None, latex, None)
         return self._record._declare(RotationQuantity(name, facts))
 
     def _facts(
@@ -101,9 +113,11 @@ class Quantities:
         limits: tuple[float, float] | None,
         range: tuple[float, float] | None,
         latex: str | None,
+        per: Index | None,
     ) -> Facts:
         source = caller()
         check_name(name, "quantity", source)
+        check_per(self._record, name, per, source)
         check_meaning(name, meaning, source)
         if limits is None:
             limits = default_limits(unit, kind)
@@ -121,4 +135,5 @@ class Quantities:
             range=range,
             latex=latex or latex_name(name),
             source=source,
+            per=per,
         )

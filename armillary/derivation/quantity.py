@@ -8,6 +8,8 @@ from enum import Enum
 
 import sympy
 
+from armillary.algebra.index import Index
+from armillary.algebra.indexed import Table
 from armillary.algebra.rotation import RotationSymbol
 from armillary.algebra.scalar import ZERO, Scalar, Symbol
 from armillary.algebra.vector import AXIS_NAMES, NULL, Vector, VectorSymbol
@@ -24,11 +26,16 @@ class Rate(Enum):
 
 
 class Role(Enum):
-    """How a quantity enters a kernel."""
+    """How a quantity enters a kernel.
+
+    A state is kept from call to call; an unknown has a value only inside an iteration.
+    """
 
     INPUT = "input"
     PARAMETER = "parameter"
     CONSTANT = "constant"
+    STATE = "state"
+    UNKNOWN = "unknown"
 
 
 class Kind(Enum):
@@ -44,7 +51,8 @@ class Kind(Enum):
 class Facts:
     """What is known of a quantity beside its name.
 
-    `limits` bound what a kernel accepts; `range` is where error bounds are stated.
+    `limits` bound what a kernel accepts; `range` is where error bounds are stated. `per` is the
+    index of the like parts that have a value each.
     """
 
     meaning: str
@@ -56,6 +64,7 @@ class Facts:
     range: tuple[float, float]
     latex: str
     source: Source
+    per: Index | None = None
 
 
 RateMaker = Callable[["Quantity | VectorQuantity", str | None, str | None], "Symbol | VectorSymbol"]
@@ -74,13 +83,17 @@ class Quantity(Symbol):
         return self.facts.unit
 
     @property
+    def per(self) -> Index | None:
+        return self.facts.per
+
+    @property
     def shape(self) -> tuple[int, ...]:
-        return ()
+        return (self.per.size,) if self.per else ()
 
     @property
     def parts(self) -> tuple[str, ...]:
         """The names that its components have in printed code, row-major."""
-        return (self.name,)
+        return _numbered(self.name, self.per)
 
     def rate(self, name: str | None = None, meaning: str | None = None) -> Symbol:
         """The time derivative as a quantity of its own, `<name>_dot` unless named."""
@@ -112,13 +125,18 @@ class VectorQuantity(VectorSymbol):
         return self.facts.unit
 
     @property
+    def per(self) -> Index | None:
+        return self.facts.per
+
+    @property
     def shape(self) -> tuple[int, ...]:
-        return (3,)
+        return (self.per.size, 3) if self.per else (3,)
 
     @property
     def parts(self) -> tuple[str, ...]:
         """The names that its components have in printed code, row-major."""
-        return tuple(f"{self.name}_{axis}" for axis in AXIS_NAMES)
+        names = _numbered(self.name, self.per)
+        return tuple(f"{name}_{axis}" for name in names for axis in AXIS_NAMES)
 
     @property
     def unit_norm(self) -> bool:
@@ -175,6 +193,22 @@ class RotationQuantity(RotationSymbol):
                 self.facts.source,
             )
         return NULL
+
+
+def _numbered(name: str, per: Index | None) -> tuple[str, ...]:
+    """The name, or one for each part; parts are counted from 1, as papers do."""
+    return tuple(f"{name}_{k + 1}" for k in range(per.size)) if per else (name,)
+
+
+@dataclass(frozen=True, eq=False)
+class ConstantTable(Table):
+    """A named number of the derivation for each part, exact, with a unit."""
+
+    facts: Facts
+
+    @property
+    def unit(self) -> Unit:
+        return self.facts.unit
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,20 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, TypeVar
+from typing import Any, TypeVar, overload
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
+from armillary.algebra.index import Index
 from armillary.algebra.rotation import RotationSymbol
-from armillary.derivation.checking import (
+from armillary.derivation.asking import (
     as_cases,
     as_inputs,
+    as_named_outputs,
+    as_numbers,
     as_outputs,
+    as_states,
     check_arguments,
+    check_reach,
+)
+from armillary.derivation.checking import (
     check_expression,
     check_identity,
     check_meaning,
-    check_reach,
+    check_parts,
+    check_per,
     check_reason,
     check_symbols,
     check_unit,
@@ -28,6 +36,7 @@ from armillary.derivation.quantities import Quantities
 from armillary.derivation.quantity import (
     AnyQuantity,
     Constant,
+    ConstantTable,
     Facts,
     Kind,
     Quantity,
@@ -50,6 +59,7 @@ from armillary.derivation.units import (
     Unit,
 )
 from armillary.mechanism.chain import Chain
+from armillary.mechanism.scene import Scene
 
 B = TypeVar("B", bound=Block)
 Q = TypeVar("Q", Quantity, VectorQuantity, RotationQuantity)
@@ -74,7 +84,9 @@ class Derivation(Quantities):
         self.name, self.title, self.paper, self.summary = name, title, paper, summary
         self.parameter = Quantities(self, Role.PARAMETER, Rate.MOUNT)
         self.quantities: dict[str, AnyQuantity] = {}
-        self.constants: dict[str, Constant] = {}
+        self.state = Quantities(self, Role.STATE, Rate.TICK)
+        self.constants: dict[str, Constant | ConstantTable] = {}
+        self.indices: dict[str, Index] = {}
         self.definitions: dict[str, Definition] = {}
         self.identities: list[Identity] = []
         self.kernels: dict[str, Kernel] = {}
@@ -86,25 +98,69 @@ class Derivation(Quantities):
 
     # -- stating ------------------------------------------------------------------------------
 
+    def index(self, name: str, size: int, *, letter: str = "i") -> Index:
+        """Like parts: what is declared `per` it has a value for each, and is a loop in C.
+
+        Args:
+            size: how many parts there are.
+            letter: the subscript that stands for one on the page.
+        """
+        source = caller()
+        check_name(name, "index", source)
+        self._free(name, source)
+        if type(size) is not int or size < 1:
+            raise DerivationError(
+                f"the index {name} has {size!r} parts", "give a whole number from 1 up", source
+            )
+        self.indices[name] = Index(name, size, letter=letter)
+        return self.indices[name]
+
+    def all_indices(self) -> list[Index]:
+        """Its own indices and those of the systems it uses, in the order declared."""
+        known = [i for used in self.used.values() for i in used.derivation.all_indices()]
+        return list(dict.fromkeys([*known, *self.indices.values()]))
+
+    def unknown(
+        self, name: str, meaning: str, *, unit: Unit = ONE, latex: str | None = None
+    ) -> Quantity:
+        """What `solve` looks for; it has a value only inside the iteration."""
+        return Quantities(self, Role.UNKNOWN, Rate.TICK).scalar(
+            name, meaning, unit=unit, latex=latex
+        )
+
+    @overload
     def constant(
         self, name: str, value: s.ScalarLike, meaning: str, *, unit: Unit = ONE, latex: str = ""
-    ) -> Constant:
-        """A number with a name, a meaning and a unit; decimals are kept exactly as written."""
+    ) -> Constant: ...
+    @overload
+    def constant(
+        self, name: str, value: Sequence[s.ScalarLike], meaning: str, *, unit: Unit = ONE,
+        latex: str = "", per: Index,
+    ) -> ConstantTable: ...  # fmt: skip
+    def constant(
+        self, name: str, value: s.ScalarLike | Sequence[s.ScalarLike], meaning: str, *,
+        unit: Unit = ONE, latex: str = "", per: Index | None = None,
+    ) -> Constant | ConstantTable:  # fmt: skip
+        """A number with a name, a meaning and a unit; decimals are kept exactly as written.
+
+        With `per`, a number for each part of an index.
+        """
         source = caller()
         check_name(name, "constant", source)
         check_meaning(name, meaning, source)
-        exact = s.as_scalar(value)
-        if not isinstance(exact, s.Number):
-            raise DerivationError(
-                f"the value of {name} is not a number", "give a number or a decimal string", source
-            )
+        check_per(self, name, per, source)
+        numbers = as_numbers(name, value, per, source)
         wide = (0.0, 0.0)
         facts = Facts(
             meaning, unit, Rate.MOUNT, Role.CONSTANT, Kind.REAL, wide, wide,
-            latex or latex_name(name), source,
+            latex or latex_name(name), source, per,
         )  # fmt: skip
         self._free(name, source)
-        made = Constant(name, exact.value, facts)
+        made = (
+            Constant(name, numbers[0], facts)
+            if per is None
+            else ConstantTable(name, numbers, per, facts)
+        )
         self.constants[name] = made
         return made
 
@@ -138,6 +194,7 @@ class Derivation(Quantities):
         definition = Definition(
             name, identifier, expression, value, because, meaning, printed, found,
             latex or latex_name(name), source,
+            check_parts(self, f"definition {name}", expression, source),
         )  # fmt: skip
         self.definitions[name] = definition
         self._by_value[id(value)] = definition
@@ -166,40 +223,92 @@ class Derivation(Quantities):
             cases: (status, condition, reason) for points that need a status.
         """
         source = caller()
-        check_name(name, "kernel", source)
-        if name in self.kernels:
-            raise DerivationError(
-                f"two kernels of {self.name} are named {name}",
-                f"rename one; the first is at {self.kernels[name].source}",
+        self._keep(
+            Kernel(
+                self.name,
+                name,
+                summary,
+                as_inputs(self, inputs, name, source),
+                self.parameters,
+                as_outputs(self, outputs, name, source),
+                as_cases(cases, name, source),
                 source,
             )
-        made = Kernel(
-            self.name,
-            name,
-            summary,
-            as_inputs(self, inputs, name, source),
-            self.parameters,
-            as_outputs(self, outputs, name, source),
-            as_cases(cases, name, source),
-            source,
         )
-        check_reach(made)
-        check_arguments(made)
-        self.kernels[name] = made
+
+    def controller(
+        self,
+        name: str,
+        *,
+        inputs: Sequence[s.Symbol | v.VectorSymbol | RotationSymbol],
+        outputs: Sequence[Block] | Mapping[str, Block],
+        states: Mapping[Quantity, s.Scalar],
+        start: Mapping[Quantity, s.ScalarLike],
+        start_inputs: Sequence[s.Symbol | v.VectorSymbol | RotationSymbol] = (),
+        summary: str = "",
+        cases: Sequence[tuple[Status, s.Condition, str]] = (),
+    ) -> None:
+        """Ask for a law that keeps states: kernels `<name>_init` and `<name>_update`.
+
+        C keeps the states in a struct; in Python they are arguments and results.
+
+        Args:
+            inputs: arguments of the update, in order.
+            outputs: what the update answers, from its inputs and the states before.
+            states: each state, made by `d.state`, with what the update makes of it.
+            start: the value that init gives to each state.
+            start_inputs: arguments of init.
+            cases: of the update; a negative status leaves the states as they are.
+        """
+        source = caller()
+        init, update = f"{name}_init", f"{name}_update"
+        kept = as_states(self, states, start, name, source)
+        after = dict(as_named_outputs(self, outputs, update, source))
+        for state in kept:
+            if state.name in after:
+                raise DerivationError(
+                    f"{state.name} is a state and a result of {name}", "rename one", source
+                )
+        started = {q.name: s.as_scalar(start[q]) for q in kept}
+        made = Kernel(
+            self.name, init, f"{summary or name}: the states before the first update",
+            as_inputs(self, start_inputs, init, source), self.parameters,
+            as_outputs(self, started, init, source), (), source, kept, "init", name,
+        )  # fmt: skip
+        self._keep(made)
+        arguments = (*kept, *as_inputs(self, inputs, update, source))
+        results = as_outputs(self, {**after, **{q.name: states[q] for q in kept}}, update, source)
+        made = Kernel(
+            self.name, update, summary, arguments, self.parameters, results,
+            as_cases(cases, update, source), source, kept, "update", name,
+        )  # fmt: skip
+        self._keep(made)
+
+    def _keep(self, kernel: Kernel) -> None:
+        check_name(kernel.name, "kernel", kernel.source)
+        if kernel.name in self.kernels:
+            raise DerivationError(
+                f"two kernels of {self.name} are named {kernel.name}",
+                f"rename one; the first is at {self.kernels[kernel.name].source}",
+                kernel.source,
+            )
+        check_reach(kernel)
+        check_arguments(kernel)
+        self.kernels[kernel.name] = kernel
 
     def assume(self, sentence: str) -> None:
         """State what the model takes for granted; the page lists it."""
         self.assumptions.append(sentence.strip())
 
     def picture(
-        self, chain: Chain, *, caption: str, at: dict[str, float], sun: int | None = None
+        self, shown: Chain | Scene, *, caption: str, at: dict[str, float], sun: int | None = None
     ) -> None:
-        """Draw a chain on the page, posed at the values given by the names of its symbols.
+        """Draw a chain or a scene on the page, posed at values given by the names of symbols.
 
         Args:
-            sun: axis of the last frame that is drawn pointing to the sun.
+            sun: axis of a chain's last frame that is drawn pointing to the sun.
         """
-        self.pictures.append(Picture(chain, dict(at), sun, caption.strip(), caller()))
+        self.pictures.append(Picture(shown, dict(at), sun, caption.strip(), caller()))
 
     def use(self, name: str) -> Used:
         """Another system's definitions; the dependency edge for incremental work."""
@@ -225,7 +334,13 @@ class Derivation(Quantities):
     # -- checking -----------------------------------------------------------------------------
 
     def _free(self, name: str, source: Source) -> None:
-        taken: Definition | AnyQuantity | Constant | None = (
+        if name in self.indices:
+            raise DerivationError(
+                f"{name} is defined twice in {self.name}",
+                f"rename one of them; the first is an index of {self.indices[name].size} parts",
+                source,
+            )
+        taken: Definition | AnyQuantity | Constant | ConstantTable | None = (
             self.definitions.get(name) or self.quantities.get(name) or self.constants.get(name)
         )
         if taken is not None:

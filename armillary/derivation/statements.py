@@ -6,13 +6,15 @@ from dataclasses import dataclass
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
+from armillary.algebra.index import Index
 from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench
 from armillary.algebra.rotation import Rotation
 from armillary.derivation.errors import Source
-from armillary.derivation.quantity import AnyQuantity
+from armillary.derivation.quantity import AnyQuantity, Quantity
 from armillary.derivation.status import Status
 from armillary.derivation.units import Unit
 from armillary.mechanism.chain import Chain
+from armillary.mechanism.scene import Scene
 
 Block = Pose | Twist | Wrench | Matrix | Rotation | s.Scalar | v.Vector | s.Condition
 
@@ -21,7 +23,8 @@ Block = Pose | Twist | Wrench | Matrix | Rotation | s.Scalar | v.Vector | s.Cond
 class Definition:
     """`name := expression`, with the reason for the step.
 
-    `value` is what later lines use (it carries the name); `expression` is what was written.
+    `value` is what later lines use (it carries the name); `expression` is what was written. It is
+    stated for each part of its `indices`.
     """
 
     name: str
@@ -34,6 +37,7 @@ class Definition:
     unit: Unit | None
     latex: str
     source: Source
+    indices: tuple[Index, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,15 +52,24 @@ class Identity:
 
 @dataclass(frozen=True, eq=False)
 class Output:
-    """A named result of a kernel."""
+    """A named result of a kernel, for each part of its `indices`, the first one outermost."""
 
     name: str
     value: s.Scalar | v.Vector | Rotation | Matrix
     definition: Definition | None
     unit: Unit | None
+    indices: tuple[Index, ...] = ()
 
     @property
     def shape(self) -> tuple[int, ...]:
+        """The whole shape; a row for each part makes a matrix."""
+        own = self._own_shape
+        if self.indices and len(own) == 2 and own[0] == 1:
+            own = own[1:]
+        return (*(i.size for i in self.indices), *own)
+
+    @property
+    def _own_shape(self) -> tuple[int, ...]:
         if isinstance(self.value, Matrix):
             return self.value.shape
         if isinstance(self.value, Rotation):
@@ -75,7 +88,14 @@ class Case:
 
 @dataclass(frozen=True, eq=False)
 class Kernel:
-    """A function that every target prints."""
+    """A function that every target prints.
+
+    Attributes:
+        states: of an update, the inputs that are kept from call to call; the results that follow
+            the others have their names. Of an init, what its results are.
+        stateful: "init" or "update" of a controller.
+        controller: the name that the two share.
+    """
 
     system: str
     name: str
@@ -85,6 +105,9 @@ class Kernel:
     outputs: tuple[Output, ...]
     cases: tuple[Case, ...]
     source: Source
+    states: tuple[Quantity, ...] = ()
+    stateful: str = ""
+    controller: str = ""
 
     def result_argument(self, name: str) -> str:
         """A result's name where results stand beside inputs: `v_out` if an input is named `v`."""
@@ -106,15 +129,21 @@ class Kernel:
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """A chain to be drawn, posed at the values given.
+    """A chain or a scene to be drawn, posed at the values given.
 
     Attributes:
         at: value of each symbol by name; other angles are drawn at 0.5 rad, other lengths at 1 m.
         sun: axis of the last frame that is drawn pointing to the sun; None draws no sun.
     """
 
-    chain: Chain
+    shown: Chain | Scene
     at: dict[str, float]
     sun: int | None
     caption: str
     source: Source
+
+    @property
+    def chain(self) -> Chain:
+        """What is shown, where it is a chain."""
+        assert isinstance(self.shown, Chain)
+        return self.shown

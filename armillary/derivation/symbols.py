@@ -7,6 +7,7 @@ from dataclasses import fields
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
+from armillary.algebra.iteration import Iteration
 from armillary.algebra.rotation import RotationSymbol
 
 Leaf = s.Symbol | v.VectorSymbol | RotationSymbol
@@ -35,6 +36,11 @@ def _children(node: object) -> Iterator[object]:
     elif isinstance(node, v.Choice):
         # Its forms are equal; the first one names everything the others may.
         yield node.nested
+    elif isinstance(node, Iteration):
+        yield node.start
+        # Inside an iteration its unknowns have values: nothing outside gives them.
+        inner = leaves((node.following, node.residuals))
+        yield from (leaf for leaf in inner if leaf not in node.unknowns)
     elif hasattr(node, "__dataclass_fields__"):
         for f in fields(node):  # type: ignore[arg-type]
             yield getattr(node, f.name)

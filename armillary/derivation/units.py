@@ -13,6 +13,8 @@ from functools import singledispatchmethod
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.algebra.direction import Azimuth, Elevation, OfDirection
+from armillary.algebra.indexed import AnyOf, At, OneLike, Total, VectorAt, VectorTotal
+from armillary.algebra.iteration import Iterated
 from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench
 from armillary.algebra.rotation import Elementary, Rotation, factors
 
@@ -181,11 +183,12 @@ class UnitOf:
         return RADIAN
 
     @infer.register
-    def _(self, node: s.ArcSine) -> Unit | None:
+    def _(self, node: s.ArcSine | s.ArcCosine) -> Unit | None:
         unit = self(node.argument)
         if unit is not None and not unit.dimensionless:
+            what = "sine" if isinstance(node, s.ArcSine) else "cosine"
             raise UnitError(
-                f"the arc sine of a quantity in {unit}: it takes a ratio",
+                f"the arc {what} of a quantity in {unit}: it takes a ratio",
                 "divide by a quantity of the same unit, or correct the unit= of the symbol",
             )
         return RADIAN
@@ -208,6 +211,26 @@ class UnitOf:
     def _(self, node: s.Dot) -> Unit | None:
         left, right = self(node.left), self(node.right)
         return None if left is None or right is None else left * right
+
+    @infer.register
+    def _(self, node: Total | VectorTotal | At | VectorAt) -> Unit | None:
+        return self(node.term)
+
+    @infer.register
+    def _(self, node: OneLike) -> Unit | None:
+        return self(node.like)
+
+    @infer.register
+    def _(self, node: Iterated) -> Unit | None:
+        given = node.iteration
+        if id(given) not in self._done:
+            self._done[id(given)] = (given, None)
+            for unknown, start, after in zip(
+                given.unknowns, given.start, given.following, strict=True
+            ):
+                what = f"the unknown {unknown.name}, its start and what a step makes of it"
+                self.common([unknown, start, after], what)
+        return self(node.unknown)
 
     @infer.register
     def _(self, node: s.ScalarReference) -> Unit | None:
@@ -276,6 +299,8 @@ class UnitOf:
             self.condition(condition.right)
         elif isinstance(condition, s.Not):
             self.condition(condition.argument)
+        elif isinstance(condition, AnyOf):
+            self.condition(condition.term)
         elif isinstance(condition, s.ConditionReference):
             self.condition(condition.expression)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 
-from armillary.program.program import Op, Program
+from armillary.program.program import Op, Program, domains, index_of, is_vector, turns
 
 # A vector operation counts as what it would cost if nothing of it were zero.
 _OPENED: dict[Op, dict[Op, int]] = {
@@ -45,11 +45,15 @@ class Cost:
 
 
 def cost(program: Program) -> Cost:
-    """The cost of one call."""
+    """The cost of one call: over all turns of its loops."""
     count: Counter[Op] = Counter()
-    for instruction in program.instructions:
+    for instruction, domain in zip(program.instructions, domains(program), strict=True):
         for op, times in _OPENED.get(instruction.op, {instruction.op: 1}).items():
-            count[op] += times
+            count[op] += times * turns(domain)
+        index = index_of(instruction)
+        if instruction.op is Op.SUM and index is not None:
+            width = 3 if is_vector(program.instructions, instruction.args[0]) else 1
+            count[Op.ADD] += width * turns(domain | {index})
     return Cost(
         count[Op.ADD],
         count[Op.MULTIPLY],

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial, reduce
 from math import prod
 from typing import Any
 
+from armillary.algebra.index import Index
 from armillary.derivation.status import Status, worse
 from armillary.program.arithmetic import Arithmetic, Reals
 from armillary.program.guards import Guard
-from armillary.program.program import Instruction, Program
+from armillary.program.program import Instruction, Program, place_of
+from armillary.program.walk import Step, walk
 
 Inputs = Mapping[str, Any]
 
@@ -26,23 +29,22 @@ class Answer:
 def evaluate(program: Program, inputs: Inputs, arithmetic: Arithmetic | None = None) -> Answer:
     """Run a program; scalars by name, vectors and rotations as flat sequences, without guards.
 
-    Results are scalars or flat row-major lists.
+    Loops run turn by turn. Results are scalars or flat lists, row-major over indices and shape.
     """
-    run = _Run(inputs, arithmetic or Reals())
+    run, walked = _Run(inputs, arithmetic or Reals()), walk(program)
     values: list[Any] = []
-    for instruction in program.instructions:
-        values.append(run.step(instruction, values))
+    for step in walked.steps:
+        values.append(run.step(program.instructions[step.number], step, values))
     status = int(Status.OK)
     for case, condition in program.cases:
-        if values[condition]:
+        if values[walked.numbers[condition, ()]]:
             status = worse(status, int(case))
     if status < 0:
         return Answer(status, {})
-    results = {
-        r.name: values[r.entries[0]] if r.shape == () else [values[e] for e in r.entries]
-        for r in program.results
-    }
-    return Answer(status, results)
+    found = {r.name: [values[k] for k in walked.entries(program, r)] for r in program.results}
+    return Answer(
+        status, {r.name: found[r.name] if r.shape else found[r.name][0] for r in program.results}
+    )
 
 
 def guard_status(guards: Sequence[Guard], inputs: Mapping[str, Any]) -> int:
@@ -67,16 +69,36 @@ def _guarded(guard: Guard, whole: Any) -> float:
 class _Run:
     def __init__(self, inputs: Inputs, arithmetic: Arithmetic) -> None:
         self.inputs, self.a = inputs, arithmetic
+        self.point: dict[Index, int] = {}
 
-    def step(self, instruction: Instruction, values: list[Any]) -> Any:
+    def step(self, instruction: Instruction, step: Step, values: list[Any]) -> Any:
         rule = getattr(self, instruction.op.value)
-        return rule(instruction.data, *(values[k] for k in instruction.args))
+        self.point = step.point
+        return rule(instruction.data, *(values[k] for k in step.args))
 
     def constant(self, data: Any) -> Any:
         return self.a.constant(data)
 
     def input(self, data: Any) -> Any:
-        return self.inputs[data[0]][data[1]] if isinstance(data, tuple) else self.inputs[data]
+        if not isinstance(data, tuple):
+            return self.inputs[data]
+        return self.inputs[data[0]][place_of(data, self.point)]
+
+    def table(self, data: Any) -> Any:
+        return self.a.constant(data[1][self.point[data[0]]])
+
+    def sum(self, _: Any, *terms: Any) -> Any:
+        join = self.add_vectors if isinstance(terms[0], list) else self.add
+        return reduce(partial(join, None), terms)
+
+    def any(self, _: Any, *conditions: bool) -> bool:
+        return any(conditions)
+
+    def element(self, _: Any, x: Any) -> Any:
+        return x
+
+    def phi(self, _: Any, x: Any) -> Any:
+        return x
 
     def negate(self, _: Any, x: Any) -> Any:
         return self.a.negate(x)

@@ -20,6 +20,17 @@ from armillary.algebra.direction import (
     ElevationTangent,
     normalised_in,
 )
+from armillary.algebra.indexed import (
+    AnyOf,
+    At,
+    OneLike,
+    Table,
+    Total,
+    VectorAt,
+    VectorTotal,
+    indices,
+)
+from armillary.algebra.iteration import Iterated, Iteration
 from armillary.algebra.rigid import Matrix
 from armillary.algebra.rotation import (
     Factor,
@@ -27,10 +38,10 @@ from armillary.algebra.rotation import (
     factors,
     keeps_norms,
 )
-from armillary.derivation.quantity import Constant
+from armillary.derivation.quantity import Constant, Quantity
 from armillary.derivation.statements import Kernel, Output
 from armillary.program.carrying import Carrying
-from armillary.program.program import Op, Program, Result
+from armillary.program.program import Data, Op, Program, Result
 from armillary.program.strategy import (
     FORMS,
     NORMALISED,
@@ -68,6 +79,7 @@ class _Lowering(Carrying):
         self._done: dict[object, int] = {}
         self._unscaled: dict[v.Vector, int] = {}
         self._squares: dict[v.Unit, int] = {}
+        self._after: dict[int, list[int]] = {}
 
     def __call__(self, node: s.Scalar | s.Condition | v.Vector) -> int:
         if node not in self._done:
@@ -85,7 +97,7 @@ class _Lowering(Carrying):
             entries = tuple(self.pick(self(value), i) for i in range(3))
         else:
             entries = (self(value),)
-        return Result(output.name, output.shape, entries)
+        return Result(output.name, output.shape, entries, output.indices)
 
     # -- unit vectors and directions ----------------------------------------------------------
 
@@ -148,6 +160,49 @@ class _Lowering(Carrying):
         return self.builder.emit(Op.INPUT, data=node.name)
 
     @translate.register
+    def _(self, node: Quantity) -> int:
+        data = node.name if node.per is None else (node.name, node.per, 1, 0)
+        return self.builder.emit(Op.INPUT, data=data)
+
+    @translate.register
+    def _(self, node: Table) -> int:
+        return self.builder.table(node.per, node.values)
+
+    @translate.register
+    def _(self, node: OneLike) -> int:
+        return self.builder.constant(sympy.Integer(1))
+
+    @translate.register
+    def _(self, node: Total) -> int:
+        return self.builder.sum(self(node.term), node.over)
+
+    @translate.register
+    def _(self, node: At) -> int:
+        return self.builder.element(self(node.term), node.over, node.place)
+
+    @translate.register
+    def _(self, node: Iterated) -> int:
+        given = node.iteration
+        if id(given) not in self._after:
+            self._after[id(given)] = self.iterated(given)
+        return self._after[id(given)][node.slot]
+
+    def iterated(self, given: Iteration) -> list[int]:
+        """The values of the unknowns after the last turn."""
+        b, turns = self.builder, given.turns
+        # Every unknown is carried, so each one's start must say which indices the values run over.
+        open_in = indices((given.start, given.following)) - {turns}
+        phis = [
+            b.phi(self(start), turns, unknown.name, open_in)
+            for start, unknown in zip(given.start, given.unknowns, strict=True)
+        ]
+        self._done.update(zip(given.unknowns, phis, strict=True))
+        following = [self(value) for value in given.following]
+        for phi, value in zip(phis, following, strict=True):
+            b.carry(phi, value)
+        return [b.element(value, turns, turns.size - 1) for value in following]
+
+    @translate.register
     def _(self, node: s.Add) -> int:
         return self.builder.add(self(node.left), self(node.right))
 
@@ -180,7 +235,7 @@ class _Lowering(Carrying):
         return self.builder.atan2(self(node.y), self(node.x))
 
     @translate.register
-    def _(self, node: s.ArcSine) -> int:
+    def _(self, node: s.ArcSine | s.ArcCosine) -> int:
         return self(node.explicit())
 
     @translate.register
@@ -247,6 +302,10 @@ class _Lowering(Carrying):
         return self.builder.invert(self(node.argument))
 
     @translate.register
+    def _(self, node: AnyOf) -> int:
+        return self.builder.any_of(self(node.term), node.over)
+
+    @translate.register
     def _(self, node: s.ConditionReference) -> int:
         number = self(node.expression)
         self.builder.label(number, (node.name,), node.identifier)
@@ -262,8 +321,22 @@ class _Lowering(Carrying):
 
     @translate.register
     def _(self, node: v.VectorSymbol) -> int:
-        b = self.builder
-        return b.emit(Op.PACK, *(b.emit(Op.INPUT, data=(node.name, k)) for k in range(3)))
+        b, per = self.builder, getattr(node, "per", None)
+        places: list[Data] = [(node.name, k) for k in range(3)]
+        if per is not None:
+            places = [(node.name, per, 3, k) for k in range(3)]
+        return b.emit(Op.PACK, *(b.emit(Op.INPUT, data=place) for place in places))
+
+    @translate.register
+    def _(self, node: VectorTotal) -> int:
+        b, term = self.builder, self(node.term)
+        return b.emit(Op.PACK, *(b.sum(self.pick(term, k), node.over) for k in range(3)))
+
+    @translate.register
+    def _(self, node: VectorAt) -> int:
+        b, term = self.builder, self(node.term)
+        parts = (b.element(self.pick(term, k), node.over, node.place) for k in range(3))
+        return b.emit(Op.PACK, *parts)
 
     @translate.register
     def _(self, node: v.VectorSum) -> int:

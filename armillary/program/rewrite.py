@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
 
 from armillary.program.builder import Builder
-from armillary.program.program import Op, Program, Result
+from armillary.program.program import Instruction, Op, Program, domains
 
 
 class Rewriter:
@@ -21,8 +23,10 @@ class Rewriter:
             self.new.append(self.rewrite(number))
             self.carry_labels(number)
         p = self.program
+        for phi, following in p.carried.items():
+            self.builder.carry(self.new[phi], self.new[following])
         results = tuple(
-            Result(r.name, r.shape, tuple(self.new[e] for e in r.entries)) for r in p.results
+            replace(r, entries=tuple(self.new[e] for e in r.entries)) for r in p.results
         )
         cases = tuple((status, self.new[c]) for status, c in p.cases)
         return self.builder.finish(p.kernel, results, cases)
@@ -32,24 +36,19 @@ class Rewriter:
         instruction = self.program.instructions[number]
         args = [self.new[a] for a in instruction.args]
         b = self.builder
-        rules: dict[Op, Callable[..., int]] = {
-            Op.NEGATE: b.negate,
-            Op.ADD: b.add,
-            Op.MULTIPLY: b.multiply,
-            Op.DIVIDE: b.divide,
-            Op.SQRT: b.sqrt,
-            Op.SIN: b.sin,
-            Op.COS: b.cos,
-            Op.ATAN2: b.atan2,
-            Op.ABSOLUTE: b.absolute,
-            Op.LESS: b.less,
-            Op.BOTH: b.both,
-            Op.NOT: b.invert,
-            Op.SELECT: b.select,
-        }
-        if instruction.op in rules:
-            return rules[instruction.op](*args)
-        return b.emit(instruction.op, *args, data=instruction.data)
+        data: Any = instruction.data
+        if instruction.op is Op.PHI:
+            over = domains(self.program)[number] - {data[0]}
+            return b.phi(args[0], data[0], data[1], over)
+        if instruction.op is Op.SUM:
+            return b.sum(args[0], data)
+        if instruction.op is Op.ANY:
+            return b.any_of(args[0], data)
+        if instruction.op is Op.ELEMENT:
+            return b.element(args[0], data[0], data[1])
+        if instruction.op is Op.TABLE:
+            return b.table(data[0], data[1])
+        return rebuilt(b, instruction, args)
 
     def carry_labels(self, number: int) -> None:
         """Names move with the value they name."""
@@ -57,12 +56,36 @@ class Rewriter:
             self.builder.label(self.new[number], label.names, label.identifier)
 
 
+def rebuilt(b: Builder, instruction: Instruction, args: list[int]) -> int:
+    """An instruction that no index comes into or leaves, of other arguments."""
+    rules: dict[Op, Callable[..., int]] = {
+        Op.NEGATE: b.negate,
+        Op.ADD: b.add,
+        Op.MULTIPLY: b.multiply,
+        Op.DIVIDE: b.divide,
+        Op.SQRT: b.sqrt,
+        Op.SIN: b.sin,
+        Op.COS: b.cos,
+        Op.ATAN2: b.atan2,
+        Op.ABSOLUTE: b.absolute,
+        Op.LESS: b.less,
+        Op.BOTH: b.both,
+        Op.NOT: b.invert,
+        Op.SELECT: b.select,
+    }
+    if instruction.op in rules:
+        return rules[instruction.op](*args)
+    return b.emit(instruction.op, *args, data=instruction.data)
+
+
 def uses(program: Program) -> list[int]:
-    """How often each value is used, by instructions, results and cases."""
+    """How often each value is used: by instructions, the next turn, results and cases."""
     count = [0] * len(program.instructions)
     for instruction in program.instructions:
         for a in instruction.args:
             count[a] += 1
+    for following in program.carried.values():
+        count[following] += 1
     for result in program.results:
         for e in result.entries:
             count[e] += 1

@@ -58,7 +58,7 @@ def _value(quantity: AnyQuantity, stream: Iterator[Fraction], reals: Reals) -> A
         return one()
     if quantity.facts.kind is Kind.ROTATION:
         return rotation_of(_normalised([one() for _ in range(4)], reals))
-    vector = [one() for _ in range(3)]
+    vector = [one() for _ in quantity.parts]
     return _normalised(vector, reals) if quantity.facts.kind is Kind.UNIT_VECTOR else vector
 
 

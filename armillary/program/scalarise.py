@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from armillary.program.program import Instruction, Program
 from armillary.program.rewrite import Rewriter
 
@@ -78,6 +80,19 @@ class _Scalarise(Rewriter):
         b = self.builder
         terms = [b.multiply(p, q) for p, q in zip(x, y, strict=True)]
         return b.add(b.add(terms[0], terms[1]), terms[2])
+
+    def open_sum(self, i: Instruction) -> int | Triple:
+        return self._closed(i, lambda a: self.builder.sum(a, i.data))  # type: ignore[arg-type]
+
+    def open_element(self, i: Instruction) -> int | Triple:
+        return self._closed(i, lambda a: self.builder.element(a, *i.data))  # type: ignore[misc]
+
+    def _closed(self, i: Instruction, rule: Callable[[int], int]) -> int | Triple:
+        """A rule that takes an index away, for a scalar or for each component."""
+        if i.args[0] not in self.vectors:
+            return rule(self.new[i.args[0]])
+        x, y, z = self.vectors[i.args[0]]
+        return rule(x), rule(y), rule(z)
 
 
 def _whole(i: Instruction) -> int:

@@ -12,6 +12,8 @@ from sympy.printing.latex import LatexPrinter
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.algebra.explicit import Explicit, Node
+from armillary.algebra.indexed import Closing
+from armillary.algebra.iteration import Iterated
 from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench
 from armillary.algebra.rotation import Rotation, RotationSymbol
 from armillary.derivation.statements import Definition
@@ -139,7 +141,7 @@ class WrittenOut:
 def written_out(notation: Notation, definition: Definition) -> WrittenOut | None:
     """The explicit form of a definition; None where it would show nothing new."""
     expression = definition.expression
-    if not _has_structure(expression):
+    if not _has_structure(expression) or _runs(expression):
         return None
     if isinstance(expression, Twist):
         expression = expression.matrix()
@@ -202,6 +204,14 @@ def _has_structure(expression: object) -> bool:
     """Whether an expression holds blocks that the explicit form opens."""
     blocks = (v.Rotated, v.Cross, v.Unit, v.Choice, s.Dot, Rotation, Pose, Twist, Wrench, Matrix)
     return any(isinstance(node, blocks) for node in _nodes(expression))
+
+
+def _runs(expression: object) -> bool:
+    """Whether an expression sums, picks or iterates: it reads best as it was written."""
+    return any(
+        isinstance(node, (*Closing, Iterated)) or getattr(node, "given", None) is not None
+        for node in _nodes(expression)
+    )
 
 
 def _nodes(expression: object) -> Iterator[object]:

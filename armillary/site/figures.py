@@ -16,18 +16,14 @@ from armillary.derivation.statements import Picture
 from armillary.derivation.symbols import leaves
 from armillary.derivation.units import RADIAN
 from armillary.mechanism.chain import Shift, Turn, X, Y, Z
+from armillary.mechanism.scene import Scene
 from armillary.site.notation import Notation
+from armillary.site.projection import Paper
+from armillary.site.scenes import scene_svg
 from armillary.site.svg import Drawing, Point2, plain
 
 Array = NDArray[np.float64]
 
-# The viewer stands south-south-east of the mechanism and looks down on it.
-_BEARING, _HEIGHT = np.radians(-62.0), np.radians(24.0)
-_RIGHT = np.array([-np.sin(_BEARING), np.cos(_BEARING), 0.0])
-_UP = np.array(
-    [-np.sin(_HEIGHT) * np.cos(_BEARING), -np.sin(_HEIGHT) * np.sin(_BEARING), np.cos(_HEIGHT)]
-)
-_PIXELS = 330.0
 _KINDS = ("axis-x", "axis-y", "axis-z")
 _COMPASS = ("E", "N", "U")
 # The axis whose turn shows the angle: north for a vertical axis, the zenith for a level one.
@@ -44,6 +40,8 @@ class Place:
 
 def picture_svg(picture: Picture, notation: Notation, identifier: str) -> str:
     """The SVG of a picture."""
+    if isinstance(picture.shown, Scene):
+        return scene_svg(picture, picture.shown, identifier)
     posed = Posed(picture, notation)
     if any(isinstance(step, Shift) for step in picture.chain.steps):
         _mechanism(posed)
@@ -64,6 +62,7 @@ class Posed:
             self.places.append(moved(self.places[-1], step, value))
         reach = max(float(np.linalg.norm(p.origin)) for p in self.places)
         self.size = reach if reach > 0 else 1.0
+        self.paper = Paper(self.size)
 
     def _value(self, step: Turn | Shift) -> Array:
         """The angle, or the offset, in numbers."""
@@ -81,11 +80,6 @@ class Posed:
         assert isinstance(leaf, Quantity)
         usual = 0.5 if leaf.unit == RADIAN else 1.0
         return sympy.Float(self.picture.at.get(leaf.name, usual))
-
-    def paper(self, point: Array) -> Point2:
-        """A point of the base frame on the paper."""
-        scale = _PIXELS / (1.25 * self.size)
-        return float(_RIGHT @ point) * scale, float(-_UP @ point) * scale
 
     def name(self, node: Scalar | Vector) -> str:
         """The symbol that a joint turns by or a link is long by."""

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import fields
 
 import sympy
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
+from armillary.algebra.index import Index
 from armillary.algebra.rotation import RotationReference
 from armillary.derivation.naming import latex_name
-from armillary.derivation.quantity import AnyQuantity, Constant, VectorQuantity
+from armillary.derivation.quantity import AnyQuantity, Constant, ConstantTable, VectorQuantity
 from armillary.derivation.record import Derivation
 from armillary.derivation.statements import Definition
 from armillary.derivation.symbols import Leaf
@@ -71,19 +72,30 @@ class Notation:
         return subscripted(own, part)
 
 
-def quantity_latex(quantity: AnyQuantity | Constant) -> str:
-    """LaTeX of a quantity: as its author wrote it, else made of its name; vectors are bold."""
-    latex = quantity.facts.latex
-    if latex != latex_name(quantity.name):
-        return latex
-    return _pretty(quantity.name, isinstance(quantity, VectorQuantity))
+def quantity_latex(quantity: AnyQuantity | Constant | ConstantTable) -> str:
+    """LaTeX of a quantity: as its author wrote it, else made of its name; vectors are bold.
+
+    What has one value a part gets the letter of the index.
+    """
+    latex, per = quantity.facts.latex, quantity.facts.per
+    if latex == latex_name(quantity.name):
+        latex = _pretty(quantity.name, isinstance(quantity, VectorQuantity))
+    return _per_part(latex, (per,) if per else ())
 
 
 def definition_latex(definition: Definition) -> str:
-    """LaTeX of a definition's name."""
-    if definition.latex != latex_name(definition.name):
-        return definition.latex
-    return _pretty(definition.name, isinstance(definition.value, v.Vector))
+    """LaTeX of a definition's name, with the letters of the indices it is stated for."""
+    latex = definition.latex
+    if latex == latex_name(definition.name):
+        latex = _pretty(definition.name, isinstance(definition.value, v.Vector))
+    return _per_part(latex, definition.indices)
+
+
+def _per_part(latex: str, indices: Sequence[Index]) -> str:
+    """A name with the letters of the indices it runs over."""
+    for index in indices:
+        latex = subscripted(latex, index.letter)
+    return latex
 
 
 def _pretty(name: str, bold: bool) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from armillary.algebra import scalar as s
-from armillary.derivation.quantity import AnyQuantity, Constant, Kind, Role
+from armillary.derivation.quantity import AnyQuantity, Constant, ConstantTable, Kind, Role
 from armillary.derivation.record import Derivation
 from armillary.derivation.statements import Block, Definition, Identity
 from armillary.derivation.symbols import leaves
@@ -100,13 +100,13 @@ def _inputs(derivation: Derivation) -> list[AnyQuantity]:
 def quantity_row(q: AnyQuantity) -> Row:
     """The line of one quantity."""
     facts = q.facts
-    parameter = facts.role is Role.PARAMETER
+    named = (Role.PARAMETER, Role.STATE, Role.UNKNOWN)
     return Row(
         quantity_latex(q),
         facts.meaning,
         unit_text(facts.unit) or "1",
         q.name,
-        "parameter" if parameter else facts.rate.value,
+        facts.role.value if facts.role in named else facts.rate.value,
         *values_text(q),
     )
 
@@ -128,7 +128,8 @@ def _plain(value: float) -> str:
     return f"{value:g}".replace("e+0", "e").replace("-", "\u2212")
 
 
-def _constant_row(c: Constant) -> Row:
+def _constant_row(c: Constant | ConstantTable) -> Row:
+    values = c.values if isinstance(c, ConstantTable) else (c.value,)
     return Row(
         quantity_latex(c),
         c.facts.meaning,
@@ -137,7 +138,7 @@ def _constant_row(c: Constant) -> Row:
         "constant",
         "",
         "",
-        number_latex(c.value),
+        r",\;".join(map(number_latex, values)),
     )
 
 

@@ -10,6 +10,8 @@ from typing import Any
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.algebra.direction import OfDirection
+from armillary.algebra.indexed import AnyOf, At, OneLike, Total, VectorAt, VectorTotal
+from armillary.algebra.iteration import Iterated
 from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench
 from armillary.algebra.rotation import (
     Elementary,
@@ -83,6 +85,10 @@ class Structure:
         self, node: s.ScalarReference | v.VectorReference | RotationReference | s.ConditionReference
     ) -> Text:
         latex = self.notation.reference(node)
+        given = getattr(node, "given", None)
+        if given is not None:
+            pairs = ",\\,".join(f"{self(old)} = {self(new)}" for old, new in given.pairs)
+            return rf"{latex}\big\rvert_{{{pairs}}}", Level.ATOM
         return latex, Level.SUM if " + " in latex or " - " in latex else Level.ATOM
 
     @text.register
@@ -141,6 +147,33 @@ class Structure:
         return f"{name} {self.inside(argument, Level.ATOM)}", Level.FUNCTION
 
     @text.register
+    def _(self, node: Total | VectorTotal) -> Text:
+        over = node.over
+        inner = self.inside(node.term, Level.PRODUCT)
+        return rf"\sum_{{{over.letter}=1}}^{{{over.size}}} {inner}", Level.SUM
+
+    @text.register
+    def _(self, node: At | VectorAt) -> Text:
+        latex, level = self.text(node.term)
+        place = f"{node.over.letter}={node.place + 1}"
+        inner = latex if level is Level.ATOM else rf"\left({latex}\right)"
+        return rf"{inner}\big\rvert_{{{place}}}", Level.ATOM
+
+    @text.register
+    def _(self, node: AnyOf) -> Text:
+        over = node.over
+        inner = self.inside(node.term, Level.ATOM)
+        return rf"{inner} \text{{ for any }} {over.letter}", Level.SUM
+
+    @text.register
+    def _(self, node: OneLike) -> Text:
+        return "1", Level.ATOM
+
+    @text.register
+    def _(self, node: Iterated) -> Text:
+        return rf"{self.notation.leaf(node.unknown)}^{{\ast}}", Level.ATOM
+
+    @text.register
     def _(self, node: s.ArcTangent) -> Text:
         angle = wrapped_angle(node)
         if angle is not None:
@@ -153,6 +186,10 @@ class Structure:
     @text.register
     def _(self, node: s.ArcSine) -> Text:
         return rf"\arcsin\left({self(node.argument)}\right)", Level.ATOM
+
+    @text.register
+    def _(self, node: s.ArcCosine) -> Text:
+        return rf"\arccos\left({self(node.argument)}\right)", Level.ATOM
 
     @text.register
     def _(self, node: OfDirection) -> Text:

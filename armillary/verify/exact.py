@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import product
 from typing import Any
 
 import mpmath
 import sympy
 
 from armillary.algebra.explicit import Explicit, Node, symbol
+from armillary.algebra.index import Index
+from armillary.algebra.indexed import indices
 from armillary.derivation.quantity import AnyQuantity, Constant
 from armillary.derivation.symbols import Leaf, leaves
 from armillary.program.arithmetic import DIGITS, Dual, Duals, Reals
 from armillary.program.evaluate import Answer, evaluate
 from armillary.program.program import Program
+from armillary.verify.turning import Iterations, turnings
 
 Row = Mapping[str, Any]
 
@@ -62,28 +66,57 @@ class Function:
     Args:
         entries: the expressions, constants of the derivation included.
         symbols: the symbols they stand on, as `leaves` finds them.
+        iterations: what the results of iterations among the entries stand for, as the explicit
+            form collects them.
     """
 
-    def __init__(self, entries: Sequence[sympy.Expr], symbols: Sequence[Leaf]) -> None:
+    def __init__(
+        self,
+        entries: Sequence[sympy.Expr],
+        symbols: Sequence[Leaf],
+        iterations: Iterations | None = None,
+    ) -> None:
         exact = {symbol(c.name): c.value for c in symbols if isinstance(c, Constant)}
         self.entries = [e.subs(exact) if exact else e for e in entries]
         self.quantities = [q for q in symbols if isinstance(q, AnyQuantity)]
+        self._names = [symbol(part) for q in self.quantities for part in q.parts]
+        self._turning = turnings(iterations or {}, self._names, exact)
         self._function: Callable[..., Any] | None = None
 
     def __call__(self, row: Row) -> list[Any]:
         """Values of the entries at one point (floats, flat lists of floats)."""
         if self._function is None:
-            names = [symbol(part) for q in self.quantities for part in q.parts]
+            names = [*self._names, *(name for t in self._turning for name in t.results)]
             self._function = sympy.lambdify(names, self.entries, modules="mpmath", cse=True)
         with mpmath.workdps(DIGITS + 10):
             given = [mpmath.mpf(x) for q in self.quantities for x in flat(row[q.name])]
+            for turning in self._turning:
+                given += turning(given)
             return list(self._function(*given))
 
 
-def text_book(value: Node) -> Function:
-    """The explicit SymPy form of a value, row-major; every name in it opened."""
-    form = Explicit()(value)
-    return Function(entries_of(form), leaves(value))
+def text_book(value: Node, order: Sequence[Index] | None = None) -> Function:
+    """The explicit SymPy form of a value, row-major; every name in it opened.
+
+    Args:
+        order: the indices that the value is left open in, outermost first; by name if not given.
+    """
+    explicit = Explicit()
+    entries = [e for place in everywhere(explicit, value, order) for e in entries_of(place(value))]
+    return Function(entries, leaves(value), explicit.iterations)
+
+
+def everywhere(
+    explicit: Explicit, value: object, order: Sequence[Index] | None = None
+) -> Iterator[Explicit]:
+    """The translation at every part of the indices that a value is left open in, row-major."""
+    if order is None:
+        order = sorted(indices(value), key=str)
+    for places in product(*(range(i.size) for i in order)):
+        at_part = explicit
+        for index, place in zip(order, places, strict=True):
+            at_part = at_part.moved(index, place)
+        yield at_part
 
 
 def entries_of(form: sympy.Basic) -> list[sympy.Expr]:

@@ -38,9 +38,13 @@ def prove(identity: Identity) -> Measured:
     `engine` is "SymPy" where the difference was reduced to zero, and "50 digits" where SymPy
     could not and only the points speak; `why` then says so, with the residual.
     """
-    symbols = leaves((identity.left, identity.right))
-    difference = _difference(identity.left, identity.right)
-    return _zero(identity.claim, exact.Function(difference, symbols))
+    sides, explicit = (identity.left, identity.right), Explicit()
+    difference = [
+        entry
+        for place in exact.everywhere(explicit, sides)
+        for entry in _difference(identity.left, identity.right, place)
+    ]
+    return _zero(identity.claim, exact.Function(difference, leaves(sides), explicit.iterations))
 
 
 def text_book_rotation(definition: Definition) -> Measured | None:
@@ -54,10 +58,12 @@ def text_book_rotation(definition: Definition) -> Measured | None:
         return None
     if any(isinstance(leaf, RotationSymbol) for leaf in leaves(rotation)):
         return None
-    matrix = sympy.Matrix(Explicit()(rotation))
-    defects = [*(matrix.T * matrix - sympy.eye(3)), matrix.det(method="berkowitz") - 1]
+    explicit, defects = Explicit(), list[sympy.Expr]()
+    for place in exact.everywhere(explicit, rotation):
+        matrix = sympy.Matrix(place(rotation))
+        defects += [*(matrix.T * matrix - sympy.eye(3)), matrix.det(method="berkowitz") - 1]
     claim = f"the rotation of {definition.name} is orthonormal and proper"
-    return _zero(claim, exact.Function(defects, leaves(rotation)))
+    return _zero(claim, exact.Function(defects, leaves(rotation), explicit.iterations))
 
 
 def text_book_expression(kernel: Kernel, program: Program) -> Iterator[Measured]:
@@ -66,7 +72,7 @@ def text_book_expression(kernel: Kernel, program: Program) -> Iterator[Measured]
     rows = list(rows_of(random_points(kernel, POINTS, seed=3)))
     answers = [exact.run(program, row, reals) for row in rows]
     for output in kernel.outputs:
-        book = exact.text_book(output.value)
+        book = exact.text_book(output.value, output.indices)
         bad, tried = 0.0, 0
         at: Point = {}
         for row, answer in zip(rows, answers, strict=True):
@@ -82,10 +88,9 @@ def text_book_expression(kernel: Kernel, program: Program) -> Iterator[Measured]
         )  # fmt: skip
 
 
-def _difference(left: Block, right: Block) -> list[sympy.Expr]:
+def _difference(left: Block, right: Block, explicit: Explicit) -> list[sympy.Expr]:
     if isinstance(left, Condition) or isinstance(right, Condition):
         raise NotComparableError("an identity compares values, not conditions")
-    explicit = Explicit()
     a, b = explicit(left), explicit(right)
     shapes = [getattr(x, "shape", ()) for x in (a, b)]
     if shapes[0] != shapes[1]:

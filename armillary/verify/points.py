@@ -168,9 +168,11 @@ def _awkward(q: AnyQuantity) -> list[Value]:
             scalars.append(float(value))
     if q.shape == ():
         return list(scalars)
-    spikes = [tuple(v if k == i else 0.0 for k in range(3)) for v in scalars for i in range(3)]
-    inside = [s for s in spikes if all(low <= c <= high for c in s)]
-    return [(s[0], s[1], s[2]) for s in dict.fromkeys(inside)]
+    size, rest = int(np.prod(q.shape)), _middle(q)
+    spikes = [
+        tuple(v if k == i else rest for k in range(size)) for v in scalars for i in range(size)
+    ]
+    return list(dict.fromkeys(spikes))
 
 
 def _is_angle(q: AnyQuantity) -> bool:
@@ -185,14 +187,19 @@ def _faults(q: AnyQuantity) -> list[Value]:
         return list(bad)
     if q.facts.kind is Kind.ROTATION:
         return _no_rotations(bad)
-    middle = 0.0 if low <= 0.0 <= high else low
-    faults: list[Value] = []
-    for k, value in enumerate(bad):
-        x, y, z = (value if i == k % 3 else middle for i in range(3))
-        faults.append((x, y, z))
+    size, rest = int(np.prod(q.shape)), _middle(q)
+    faults: list[Value] = [
+        tuple(value if i == k % size else rest for i in range(size)) for k, value in enumerate(bad)
+    ]
     if q.facts.kind is Kind.UNIT_VECTOR:
         faults += [(0.0, 0.0, 0.0), (0.6, 0.6, 0.6), (0.0, 0.0, 0.99)]
     return faults
+
+
+def _middle(q: AnyQuantity) -> float:
+    """A plain value inside the limits."""
+    low, high = q.facts.limits
+    return 0.0 if low <= 0.0 <= high else low
 
 
 def _no_rotations(bad: Sequence[float]) -> list[Value]:
@@ -214,5 +221,5 @@ def _filled(known: list[AnyQuantity], rows: Sequence[Mapping[str, Value]], seed:
     points = random_points(known, len(rows), seed)
     for k, row in enumerate(rows):
         for name, value in row.items():
-            points[name][k] = value
+            points[name][k] = np.reshape(value, points[name][k].shape)
     return points

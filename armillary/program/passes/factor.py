@@ -1,8 +1,11 @@
-"""a*x + b*x becomes (a + b)*x where both products are used only there."""
+"""a*x + b*x becomes (a + b)*x where both products are used only there.
+
+So does the sum over an index of a*x, where a does not depend on it: a times the sum of x.
+"""
 
 from __future__ import annotations
 
-from armillary.program.program import Op, Program
+from armillary.program.program import Op, Program, domains, index_of, turns
 from armillary.program.rewrite import Rewriter, uses
 
 
@@ -13,6 +16,9 @@ def factor_sums(program: Program) -> Program:
         if factored.instructions == program.instructions:
             return factored
         program = factored
+
+
+Pair = tuple[int, int]
 
 
 class _Factor(Rewriter):
@@ -26,11 +32,37 @@ class _Factor(Rewriter):
             left, right = (self._product(a) for a in i.args)
             if left and right:
                 common = [f for f in left[1] if f in right[1]]
-                if common:
+                if common and self._pays(number, common[0], left[1], right[1]):
                     return self._factored(common[0], left, right)
+        if i.op is Op.SUM:
+            found = self._outside(number)
+            if found is not None:
+                return found
         return super().rewrite(number)
 
-    def _product(self, number: int) -> tuple[bool, tuple[int, ...]] | None:
+    def _pays(self, number: int, common: int, left: Pair, right: Pair) -> bool:
+        """Whether the sum of the other factors is not dearer, over all turns, than a product."""
+        known, i = domains(self.program), self.program.instructions[number]
+        others = [known[_other(pair, common)] for pair in (left, right)]
+        return turns(others[0] | others[1]) <= sum(turns(known[a]) for a in i.args)
+
+    def _outside(self, number: int) -> int | None:
+        """A sum of products or quotients with what is the same for all of them taken out."""
+        i, known, b = self.program.instructions[number], domains(self.program), self.builder
+        index, term = index_of(i), self.program.instructions[i.args[0]]
+        assert index is not None
+        if self.uses[i.args[0]] > 1 or term.op not in (Op.MULTIPLY, Op.DIVIDE):
+            return None
+        first, second = term.args
+        if index not in known[second]:
+            rest = b.sum(self.new[first], index)
+            take = b.multiply if term.op is Op.MULTIPLY else b.divide
+            return take(rest, self.new[second])
+        if index not in known[first] and term.op is Op.MULTIPLY:
+            return b.multiply(self.new[first], b.sum(self.new[second], index))
+        return None
+
+    def _product(self, number: int) -> tuple[bool, Pair] | None:
         """Sign and factors of a product that nothing else uses."""
         i = self.program.instructions[number]
         negative = i.op is Op.NEGATE
@@ -41,15 +73,16 @@ class _Factor(Rewriter):
             i = self.program.instructions[number]
         if i.op is not Op.MULTIPLY or self.uses[number] > 1:
             return None
-        return negative, i.args
+        return negative, (i.args[0], i.args[1])
 
-    def _factored(
-        self, common: int, left: tuple[bool, tuple[int, ...]], right: tuple[bool, tuple[int, ...]]
-    ) -> int:
+    def _factored(self, common: int, left: tuple[bool, Pair], right: tuple[bool, Pair]) -> int:
         b = self.builder
         terms = []
         for negative, args in (left, right):
-            other = args[1] if args[0] == common else args[0]
-            term = self.new[other]
+            term = self.new[_other(args, common)]
             terms.append(b.negate(term) if negative else term)
         return b.multiply(self.new[common], b.add(*terms))
+
+
+def _other(pair: Pair, factor: int) -> int:
+    return pair[1] if pair[0] == factor else pair[0]

@@ -1,0 +1,123 @@
+"""Newton's iteration with a fixed number of steps, as an expression."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from armillary.algebra import scalar as s
+from armillary.algebra.derivative import partial
+from armillary.algebra.index import Index
+from armillary.algebra.indexed import at, indices, one_like
+from armillary.algebra.linear import determinant, solved
+from armillary.algebra.misuse import MisuseError, told
+from armillary.algebra.scalar import Scalar, ScalarLike, Symbol, as_scalar, where
+
+LARGEST = 3
+Bounds = tuple[ScalarLike, ScalarLike]
+
+
+@dataclass(frozen=True, eq=False)
+class Iteration:
+    """Values that are carried from turn to turn.
+
+    Attributes:
+        turns: the index that counts them.
+        unknowns: symbols that stand, inside, for the values of the turn before.
+        start: their values in the first turn.
+        following: what each turn makes of them.
+        residuals: what the iteration is to make zero, in the unknowns.
+    """
+
+    turns: Index
+    unknowns: tuple[Symbol, ...]
+    start: tuple[Scalar, ...]
+    following: tuple[Scalar, ...]
+    residuals: tuple[Scalar, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Iterated(Scalar):
+    """The value of one unknown after the last turn."""
+
+    iteration: Iteration
+    slot: int
+
+    @property
+    def unknown(self) -> Symbol:
+        return self.iteration.unknowns[self.slot]
+
+
+def solve(
+    residuals: Scalar | Sequence[Scalar],
+    unknowns: Mapping[Symbol, ScalarLike],
+    *,
+    name: str,
+    steps: int = 8,
+    within: Mapping[Symbol, Bounds] | None = None,
+) -> tuple[Scalar, ...]:
+    """The unknowns after a fixed number of Newton steps; nothing says that they converged.
+
+    A kernel that returns them needs a case with NOT_CONVERGED on what is left of the residuals:
+    `substitute` puts the values found into them.
+
+    Args:
+        residuals: what should become zero: as many scalars as there are unknowns, at most three,
+            or one that is per part of an index of that size.
+        unknowns: symbols made by `d.unknown`, each with the value it starts from.
+        name: of the iteration, which is a loop in C.
+        within: bounds that an unknown is held to after each step.
+    """
+    symbols = tuple(unknowns)
+    rows, matrix = _system(residuals, symbols)
+    det = determinant(matrix)
+    regular = where(s.absolute(det) > s.ZERO, det, one_like(det))
+    steps_taken = solved(matrix, rows, regular)
+    bounds = within or {}
+    following = tuple(
+        _held(u - step, bounds.get(u)) for u, step in zip(symbols, steps_taken, strict=True)
+    )
+    if type(steps) is not int or steps < 1:
+        raise MisuseError(f"an iteration of {told(steps)} steps", "give a whole number from 1 up")
+    start = tuple(as_scalar(value) for value in unknowns.values())
+    turns = Index(name, steps, sequential=True, letter="k")
+    made = Iteration(turns, symbols, start, following, tuple(rows))
+    return tuple(Iterated(made, slot) for slot in range(len(symbols)))
+
+
+def _system(
+    residuals: Scalar | Sequence[Scalar], unknowns: tuple[Symbol, ...]
+) -> tuple[list[Scalar], list[list[Scalar]]]:
+    """The residuals one by one, and their derivatives by the unknowns, a row each."""
+    count = len(unknowns)
+    if not 1 <= count <= LARGEST:
+        raise MisuseError(
+            f"solve has {count} unknowns", f"it takes 1 to {LARGEST}: eliminate some by hand"
+        )
+    if isinstance(residuals, Scalar):
+        open_in = [i for i in indices(residuals) if i.size == count]
+        if count > 1 and len(open_in) == 1:
+            slopes = [partial(residuals, u) for u in unknowns]
+            parts = range(count)
+            matrix = [[at(slope, open_in[0], k) for slope in slopes] for k in parts]
+            return [at(residuals, open_in[0], k) for k in parts], matrix
+        residuals = [residuals]
+    rows = list(residuals)
+    if len(rows) != count:
+        raise MisuseError(
+            f"solve has {len(rows)} residuals for {count} unknowns",
+            "give as many of the one as of the other",
+        )
+    return rows, [[partial(row, u) for u in unknowns] for row in rows]
+
+
+def _held(value: Scalar, bounds: Bounds | None) -> Scalar:
+    if bounds is None:
+        return value
+    low, high = (as_scalar(b) for b in bounds)
+    return where(value < low, low, where(value > high, high, value))
+
+
+def with_fresh_unknowns(iteration: Iteration) -> dict[Symbol, Symbol]:
+    """Unknowns of their own for a copy of an iteration: the two may stand in one kernel."""
+    return {u: replace(u) for u in iteration.unknowns}

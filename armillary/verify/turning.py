@@ -1,0 +1,62 @@
+"""Iterations in the text-book form: turned at 50 digits, apart from the program."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import sympy
+
+from armillary.algebra.explicit import Explicit, symbol
+from armillary.algebra.iteration import Iteration
+
+Iterations = Mapping[str, tuple[Iteration, Explicit]]
+Exact = Mapping[sympy.Symbol, sympy.Expr]
+
+
+class Turning:
+    """One iteration as a function of what is known before it.
+
+    Attributes:
+        results: the symbols that stand for its results.
+    """
+
+    def __init__(
+        self, key: str, given: Iteration, at: Explicit, known: Sequence[sympy.Symbol], exact: Exact
+    ) -> None:
+        unknowns = [symbol(u.name) for u in given.unknowns]
+        self.results = [symbol(f"{key}_{u.name}") for u in given.unknowns]
+        self.turns = given.turns.size
+        start = [at(e).subs(exact) for e in given.start]
+        following = [at(e).subs(exact) for e in given.following]
+        self._start = sympy.lambdify(known, start, modules="mpmath", cse=True)
+        self._next = sympy.lambdify([*known, *unknowns], following, modules="mpmath", cse=True)
+
+    def __call__(self, known: Sequence[Any]) -> list[Any]:
+        """The unknowns after the last turn."""
+        values = list(self._start(*known))
+        for _ in range(self.turns):
+            values = list(self._next(*known, *values))
+        return values
+
+
+def turnings(iterations: Iterations, names: Sequence[sympy.Symbol], exact: Exact) -> list[Turning]:
+    """The iterations in an order in which each stands only on those before it."""
+    known, done = list(names), dict[str, Turning]()
+
+    def add(key: str) -> None:
+        given, at = iterations[key]
+        # Translating may meet iterations inside this one: `iterations` grows by them.
+        forms = [at(e) for e in (*given.start, *given.following)]
+        free = set[sympy.Basic]().union(*(form.free_symbols for form in forms))
+        for other in list(iterations):
+            unknowns = iterations[other][0].unknowns
+            if other not in (key, *done) and free & {symbol(f"{other}_{u.name}") for u in unknowns}:
+                add(other)
+        done[key] = Turning(key, given, at, known, exact)
+        known.extend(done[key].results)
+
+    for key in list(iterations):
+        if key not in done:
+            add(key)
+    return list(done.values())
