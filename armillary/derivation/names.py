@@ -79,8 +79,15 @@ def check_name(name: str, what: str, source: Source) -> None:
         raise DerivationError(f"{name!r} cannot name a {what}: it is {claimed}", mend, source)
 
 
+def is_macro(name: str) -> bool:
+    """Whether a header that a kernel may meet makes a macro of a name."""
+    return name in _MACROS.split()
+
+
 def _claimed(name: str, what: str) -> str | None:
-    """By what a name is taken."""
+    """By what a name is taken; a result that is named like a macro has another name in C."""
+    if what == "result" and is_macro(name):
+        return None
     if name.startswith(_FAMILIES):
         return "one of a family of macros of C headers"
     return RESERVED.get(name) or _RESERVED_FOR.get(what, {}).get(name)

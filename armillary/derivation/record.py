@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any, TypeVar, overload
 
 from armillary.algebra import scalar as s
@@ -354,6 +355,10 @@ class Derivation(Quantities):
     def _declare(self, quantity: Q) -> Q:
         self._free(quantity.name, quantity.facts.source)
         self.quantities[quantity.name] = quantity
+        if quantity.facts.role is Role.PARAMETER:
+            # A kernel takes every parameter of its system, those declared after it too.
+            for name, kernel in self.kernels.items():
+                self.kernels[name] = replace(kernel, parameters=self.parameters)
         return quantity
 
     def _make_rate(

@@ -10,6 +10,7 @@ from armillary.algebra.index import Index
 from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench
 from armillary.algebra.rotation import Rotation
 from armillary.derivation.errors import Source
+from armillary.derivation.names import is_macro
 from armillary.derivation.quantity import AnyQuantity, Quantity
 from armillary.derivation.status import Status
 from armillary.derivation.units import Unit
@@ -110,11 +111,11 @@ class Kernel:
     controller: str = ""
 
     def result_argument(self, name: str) -> str:
-        """A result's name where results stand beside inputs: `v_out` if an input is named `v`."""
+        """A result's name in C: `v_out` if an input, or a macro, is named `v`."""
         taken = set(self.argument_names())
-        if name in taken:
+        if name in taken or is_macro(name):
             taken |= {o.name for o in self.outputs}
-        while name in taken:
+        while name in taken or is_macro(name):
             name += "_out"
         return name
 

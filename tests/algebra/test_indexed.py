@@ -242,3 +242,11 @@ def test_any_of_and_where_run_over_parts(d):
     value = where(behind, 1, 0)
     book = exact.text_book(value)
     assert [int(book({"a": x})[0]) for x in (0.0, math.pi)] == [0, 1]
+
+
+def test_a_kernel_takes_the_parameters_that_are_declared_after_it(d):
+    a = d.angle("a", "direction")
+    d.parameter.length("r", "radius")
+    d.kernel("k", inputs=[a], outputs={"y": 2 * a})
+    d.parameter.length("s", "declared later")
+    assert [q.name for q in d.kernels["k"].parameters] == ["r", "s"]

@@ -5,6 +5,7 @@ import re
 
 import pytest
 
+from armillary import Derivation
 from armillary.derivation.errors import DerivationError, Source
 from armillary.derivation.load import load, load_all
 from armillary.derivation.names import check_name
@@ -291,3 +292,10 @@ def test_a_misspelt_definition_is_told_with_the_known_ones(project):
         DerivationError, match=r"derivation.py:3: demo defines no rr\n.*it defines r"
     ):
         load(root / "derivations" / "user" / "derivation.py")
+
+
+def test_a_result_may_be_named_like_a_macro_and_has_another_name_in_c():
+    d = Derivation("demo", title="Demo")
+    t = d.angle("t", "an angle")
+    d.kernel("k", inputs=[t], outputs={"F": 2 * t})
+    assert d.kernels["k"].result_argument("F") == "F_out"

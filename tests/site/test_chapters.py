@@ -95,6 +95,14 @@ def test_the_chapter_on_adding_a_mechanism(tmp_path):
     assert "From 2.021 m to 2.300 m" in told
     page = (tmp_path / "site" / "systems" / "demo.html").read_text("utf-8")
     assert 'id="study-demo-how-high-does-it-reach"' in page
+    (height,) = (b for b in blocks("adding-a-mechanism.md", "toml") if "[mount.height]" in b)
+    (tmp_path / "derivations" / "demo" / "parameters.toml").write_text(height, "utf-8")
+    taken = study.replace("study(kernels)", "study(kernels, parameters)")
+    taken = taken.replace("height=2.0", "height=parameters.mount.height")
+    (tmp_path / "derivations" / "demo" / "study.py").write_text(taken, "utf-8")
+    assert "From 2.021 m" in shell("armillary study demo", tmp_path, PYTHONPATH=str(ROOT))
+    set_higher = "armillary study demo --set height=3"
+    assert "From 3.021 m" in shell(set_higher, tmp_path, PYTHONPATH=str(ROOT))
 
 
 @pytest.mark.slow
@@ -136,3 +144,27 @@ def assert_same_form(shown: object, found: object) -> None:
             assert_same_form(inner, keys[0])
     else:
         assert shown == found
+
+
+@pytest.mark.slow
+@needs("cc")
+def test_the_chapter_on_loops_and_states(tmp_path):
+    folder = tmp_path / "winches"
+    folder.mkdir()
+    offer_armillary(folder)
+    shell("armillary init", folder, PYTHONPATH=str(ROOT))
+    derivation, use = blocks("loops-and-states.md", "python")
+    (program,) = blocks("loops-and-states.md", "c")
+    system = folder / "derivations" / "cables"
+    system.mkdir(parents=True)
+    (system / "derivation.py").write_text(derivation, "utf-8")
+    (folder / "main.c").write_text(program, "utf-8")
+    (folder / "use.py").write_text(use, "utf-8")
+    told = shell("armillary generate; armillary check", folder, PYTHONPATH=str(ROOT))
+    assert " 0 failed" in told
+    strict = "-std=c99 -O2 -Wall -Wextra -Werror -Igenerated/c/src"
+    build = f"cc {strict} main.c generated/c/src/winches_kernels/*_f64.c -lm -o main; ./main"
+    assert shell(build, folder) == "0.100 -0.200 1.500\n20.00\n"
+    told = shell(f'"{sys.executable}" use.py', folder, PYTHONPATH=f"{ROOT}:generated/python")
+    assert told.endswith("20.0\n")
+    assert "east=array(0.1)" in told
