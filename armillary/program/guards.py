@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from armillary.algebra.index import Index
 from armillary.derivation.quantity import AnyQuantity, Kind
 
 FORM_TOLERANCE = 1e-3
@@ -35,6 +36,11 @@ class Guard:
     low: float
     high: float
     form: Form | None = None
+
+
+def index_of_parts(quantity: AnyQuantity) -> Index | None:
+    """The index that a quantity has a value for each part of; a rotation has none."""
+    return quantity.facts.per
 
 
 def guards_of(quantity: AnyQuantity) -> tuple[Guard, ...]:

@@ -2,185 +2,159 @@
 
 from __future__ import annotations
 
-import textwrap
+from collections.abc import Iterator
 
-import sympy
-
+from armillary.algebra.index import Index
 from armillary.derivation.quantity import AnyQuantity
+from armillary.derivation.statements import Kernel
 from armillary.derivation.status import Status
-from armillary.program.guards import Form, Guard
+from armillary.program.guards import index_of_parts
 from armillary.program.program import Program
-from armillary.targets.body import Body, Language, unused, write_body
-from armillary.targets.numbers import Precision, shortest
-
-WIDTH = 100
-
-
-class C(Language):
-    """C expressions in one precision, fully parenthesised."""
-
-    def __init__(self, precision: Precision) -> None:
-        self.precision = precision
-        self.type = "float" if precision.name == "f32" else "double"
-        self.suffix = "f" if precision.name == "f32" else ""
-        self.largest = "FLT_MAX" if precision.name == "f32" else "DBL_MAX"
-
-    def constant(self, value: sympy.Expr | float) -> str:
-        return shortest(value, self.precision) + self.suffix
-
-    def call(self, function: str, *arguments: str) -> str:
-        name = "fabs" if function == "abs" else function
-        return f"{name}{self.suffix}({', '.join(arguments)})"
-
-    def both(self, a: str, b: str) -> str:
-        return f"{a} && {b}"
-
-    def invert(self, a: str) -> str:
-        return f"!{a}"
-
-    def select(self, condition: str, then: str, otherwise: str) -> str:
-        return f"{condition} ? {then} : {otherwise}"
+from armillary.targets.body import Body, unused, write_body
+from armillary.targets.c_guards import Test, form_line, guard_loops, refusal
+from armillary.targets.c_language import WIDTH, C, filled
 
 
 def function_body(program: Program, language: C) -> list[str]:
     """The lines between a function's braces.
 
-    Inputs are read before anything is written, so that a call in place is legal.
+    Inputs are read before anything is written, so that a call in place is legal; only arrays that
+    run over an index are read where they are used.
     """
-    kernel = program.kernel
-    taken = {*kernel.argument_names(), "p", "status"}
-    taken |= {kernel.result_argument(o.name) for o in kernel.outputs}
-    tests = []
-    parts = {q.name: q.parts for q in (*kernel.inputs, *kernel.parameters)}
-    for guard in program.guards:
-        test = GuardTest(guard, parts[guard.name], language, taken)
-        taken.add(test.local)
-        tests.append(test)
-    lines = _loads(program, language)
-    lines += [line for t in tests for line in t.load()]
-    lines += ["int status = ARMILLARY_OK;"]
-    if kernel.parameters and not any(q.name in program.inputs_used() for q in kernel.parameters):
-        lines += ["(void)p;"]
-    lines = [f"  {line}" for line in lines]
-    body = write_body(program, language, frozenset(taken))
-    if not tests:
-        lines += [f"  {line}" for line in _computation(program, language, body)]
-        return [*lines, "  return status;"]
-    lines += ["", f"  if ({_joined([t.outside() for t in tests], 6)}) {{"]
-    lines += ["    status = ARMILLARY_NOT_FINITE;"]
-    lines += [f"    if ({_joined([t.finite_outside() for t in tests], 8)}) {{"]
-    lines += ["      status = ARMILLARY_OUT_OF_RANGE;", "    }", "  } else {"]
-    lines += [f"    {line}" for line in _computation(program, language, body)]
-    return [*lines, "  }", "  return status;"]
+    return _Function(program, language).write()
 
 
-def filled(text: str, first: str, rest: str, width: int = WIDTH - 2) -> list[str]:
-    """Text in lines of a width, broken at spaces only."""
-    return textwrap.wrap(
-        text,
-        width,
-        initial_indent=first,
-        subsequent_indent=rest,
-        break_long_words=False,
-        break_on_hyphens=False,
-    )
+def must_not_overlap(program: Program) -> bool:
+    """Whether a kernel may still read an input when it has written a result."""
+    indexed = any(index_of_parts(q) for q in _read(program))
+    stored = any(result.indices for result in program.results)
+    return indexed and stored and not _is_late(program)
 
 
-def _joined(terms: list[str], indent: int) -> str:
-    return f" ||\n{' ' * indent}".join(terms)
+def state_argument(kernel: Kernel) -> str:
+    """The name of the pointer to a controller's state."""
+    return unused("s", {*kernel.argument_names(), *(o.name for o in kernel.outputs)})
 
 
-def _loads(program: Program, language: C) -> list[str]:
-    kernel, used = program.kernel, program.inputs_used()
+def _is_late(program: Program) -> bool:
+    """Whether results are written only when the status is known, or no state is read any more."""
+    return bool(program.kernel.stateful) or any(status < 0 for status, _ in program.cases)
+
+
+def _read(program: Program) -> list[AnyQuantity]:
+    """What is read, to compute with or to guard it."""
+    used, kernel = program.inputs_used(), program.kernel
     guarded = {g.name for g in program.guards}
-    lines = []
     fields = [q for q in kernel.parameters if q.name in used]
-    for q in fields:
-        lines += _load(q, f"p->{q.name}", language)
-    for q in kernel.inputs:
-        if q.shape and (q.name in used or q.name in guarded):
-            lines += _load(q, q.name, language)
-    return lines
+    return [*fields, *(q for q in kernel.inputs if q.name in used or q.name in guarded)]
 
 
-def _load(quantity: AnyQuantity, place: str, language: C) -> list[str]:
-    if not quantity.shape:
-        return [f"const {language.type} {quantity.name} = {place};"]
-    return [
-        f"const {language.type} {part} = {place}[{k}];" for k, part in enumerate(quantity.parts)
-    ]
+class _Function:
+    def __init__(self, program: Program, language: C) -> None:
+        self.program, self.c, self.kernel = program, language, program.kernel
+        kernel = program.kernel
+        self.states = {q.name for q in kernel.states}
+        self.state = state_argument(kernel) if kernel.stateful else ""
+        taken = {*kernel.argument_names(), "p", "status", self.state}
+        self.taken = taken | {kernel.result_argument(o.name) for o in kernel.outputs}
+        self.read = _read(program)
+        self.places = {q.name: self.place(q) for q in (*kernel.inputs, *kernel.parameters)}
 
+    def place(self, q: AnyQuantity) -> str:
+        """Where the caller keeps a quantity."""
+        if q in self.kernel.parameters:
+            return f"p->{q.name}"
+        return f"{self.state}->{q.name}" if q.name in self.states else q.name
 
-def _computation(program: Program, language: C, body: Body) -> list[str]:
-    room = WIDTH - 6
-    lines = []
-    for s in body.statements:
-        kind = "int" if s.condition else language.type
-        note = f"/* {', '.join(dict.fromkeys(s.identifiers))} */" if s.identifiers else ""
-        line = f"const {kind} {s.name} = {s.expression};"
-        if len(line) + len(note) + 1 > room:
-            lines += [note] if note else []
-            lines += filled(line, "", "    ", room)
+    def write(self) -> list[str]:
+        tests, forms = self.tests()
+        lines = [line for q in self.read for line in self.load(q)]
+        lines += forms
+        lines += ["int status = ARMILLARY_OK;"]
+        kernel, used = self.kernel, self.program.inputs_used()
+        if kernel.parameters and not any(q.name in used for q in kernel.parameters):
+            lines += ["(void)p;"]
+        loops = guard_loops(self.read, self.program.guards, self.places, self.variables(), self.c)
+        if loops:
+            lines += ["", *loops]
+        lines = [f"  {line}" if line else "" for line in lines]
+        if not tests and not loops:
+            return [*lines, *(f"  {line}" for line in self.computation()), "  return status;"]
+        if tests:
+            refused = refusal(tests, 2, first=not loops)
+            lines += ["", *(f"  {line}" for line in refused)]
+        if loops:
+            lines += ["  }"] if tests else []
+            lines += ["  if (status == ARMILLARY_OK) {"]
         else:
-            lines.append(f"{line} {note}".rstrip())
-    order = sorted(body.cases, key=lambda case: (case[0] < 0, abs(case[0])))
-    for status, condition in order:
-        lines += [f"if ({condition}) {{", f"  status = ARMILLARY_{Status(status).name};", "}"]
-    stores = []
-    for result, entries in zip(program.results, body.results, strict=True):
-        for k, text in enumerate(entries):
-            name = program.kernel.result_argument(result.name)
-            place = f"{name}[{k}]" if result.shape else f"*{name}"
-            stores += filled(f"{place} = {text};", "", "    ", room)
-    if any(status < 0 for status, _ in body.cases):
-        return [*lines, "if (status >= 0) {", *(f"  {s}" for s in stores), "}"]
-    return [*lines, *stores]
+            lines += ["  } else {"]
+        lines += [f"    {line}" for line in self.computation()]
+        return [*lines, "  }", "  return status;"]
 
+    def variables(self) -> dict[Index, str]:
+        """The loop variables of the guards."""
+        found = [index_of_parts(q) for q in self.read]
+        return {i: unused(i.name, self.taken) for i in found if i is not None}
 
-class GuardTest:
-    """The tests of one guard; a form of several parts has a local of its own."""
+    def tests(self) -> tuple[list[Test], list[str]]:
+        """The tests of what runs over no index, and the lines of the forms among them."""
+        parts = {q.name: q.parts for q in self.read if not index_of_parts(q)}
+        tests, lines = [], []
+        for guard in self.program.guards:
+            if guard.name not in parts:
+                continue
+            local = parts[guard.name][guard.index or 0]
+            if guard.form is not None:
+                local = unused(f"{guard.name}_{guard.form.label}", self.taken)
+                self.taken.add(local)
+                lines += form_line(local, guard.form, parts[guard.name], self.c)
+            tests.append(Test(guard, local, self.c))
+        return tests, lines
 
-    def __init__(self, guard: Guard, parts: tuple[str, ...], language: C, taken: set[str]) -> None:
-        self.guard, self.parts, self.c = guard, parts, language
-        if guard.form is not None:
-            self.local = unused(f"{guard.name}_{guard.form.label}", taken)
-        else:
-            self.local = parts[guard.index or 0]
-        self.magnitude = f"fabs{language.suffix}({self.local})"
-
-    def load(self) -> list[str]:
-        """How far a form is from its value."""
-        form = self.guard.form
-        if form is None:
+    def load(self, q: AnyQuantity) -> list[str]:
+        """A quantity as constants of the function, where it is not one already."""
+        place = self.places[q.name]
+        if index_of_parts(q) or (place == q.name and not q.shape):
             return []
-        line = f"const {self.c.type} {self.local} = {self._distance(form)};"
-        return filled(line, "", "    ")
+        if not q.shape:
+            return [f"const {self.c.type} {q.name} = {place};"]
+        return [f"const {self.c.type} {part} = {place}[{k}];" for k, part in enumerate(q.parts)]
 
-    def _distance(self, form: Form) -> str:
-        products = [
-            ("-" if sign < 0 else "+", f"({' * '.join(self.parts[k] for k in places)})")
-            for sign, places in form.terms
-        ]
-        first, *rest = products
-        total = first[1] + "".join(f" {sign} {product}" for sign, product in rest)
-        return f"({total}) - {self.c.constant(form.value)}" if form.value else total
+    def computation(self) -> Iterator[str]:
+        """The lines behind the guards."""
+        program, room = self.program, WIDTH - 6
+        stored = {r.name: self.result(r.name) for r in program.results if r.indices}
+        body = write_body(
+            program,
+            self.c,
+            frozenset(self.taken),
+            arrays=self.places,
+            stored=stored,
+            late=_is_late(program),
+        )
+        yield from self.c.lines(body.statements, room)
+        order = sorted(body.cases, key=lambda case: (case[0] < 0, abs(case[0])))
+        for status, condition in order:
+            yield from (f"if ({condition}) {{", f"  status = ARMILLARY_{Status(status).name};", "}")
+        stores = self.stores(body, room)
+        if any(status < 0 for status, _ in body.cases):
+            yield from ("if (status >= 0) {", *(f"  {line}" for line in stores), "}")
+        else:
+            yield from stores
 
-    def _inside(self) -> str:
-        g, c = self.guard, self.c
-        if g.form is not None:
-            return f"{self.magnitude} <= {c.constant(g.form.tolerance)}"
-        if g.low == -g.high:
-            return f"{self.magnitude} <= {c.constant(g.high)}"
-        low = f"-{c.constant(-g.low)}" if g.low < 0 else c.constant(g.low)
-        high = f"-{c.constant(-g.high)}" if g.high < 0 else c.constant(g.high)
-        return f"({self.local} >= {low}) && ({self.local} <= {high})"
+    def result(self, name: str) -> str:
+        """Where the caller wants a result."""
+        if self.kernel.stateful and name in self.states:
+            return f"{self.state}->{name}"
+        return self.kernel.result_argument(name)
 
-    def outside(self) -> str:
-        """True for a NaN too."""
-        return f"!({self._inside()})"
-
-    def finite_outside(self) -> str:
-        """True for a number that is refused; an infinite square is its components' fault."""
-        finite = f"({self.magnitude} <= {self.c.largest})"
-        line = f"({finite} && !({self._inside()}))"
-        return line if len(line) + 12 <= WIDTH else f"({finite} &&\n         !({self._inside()}))"
+    def stores(self, body: Body, room: int) -> list[str]:
+        """What is written when everything is computed."""
+        lines = []
+        for result, entries in zip(self.program.results, body.results, strict=True):
+            for k, text in enumerate(entries):
+                name = self.result(result.name)
+                pointed = result.shape or "->" in name
+                place = f"{name}[{k}]" if result.shape else name if pointed else f"*{name}"
+                lines += filled(f"{place} = {text};", "", "    ", room)
+        return [*lines, *self.c.lines(body.stores, room - 2)]

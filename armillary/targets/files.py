@@ -14,6 +14,7 @@ from armillary.derivation.record import Derivation
 from armillary.derivation.statements import Kernel
 from armillary.program.compile import Compiled, compile_kernel
 from armillary.program.cost import Cost
+from armillary.program.guards import index_of_parts
 from armillary.program.lower import Strategy
 from armillary.targets import c, python
 
@@ -116,7 +117,7 @@ def render_shared(target: Target, rendered: Mapping[str, Rendered]) -> dict[str,
         f"{package}/__init__.py": init,
         f"{package}/_signatures.py": notice + _signatures(target, table),
     }
-    for name in ("_runtime.py", "_compiler.py", "native.py"):
+    for name in ("_runtime.py", "_compiler.py", "_batch.py", "native.py"):
         shared[f"{package}/{name}"] = notice + (_RUNTIME / name).read_text(encoding="utf-8")
     return shared
 
@@ -179,14 +180,21 @@ def _facts(derivation: Derivation, made: Compiled, target: Target) -> KernelFact
 
 
 def _table(derivation: Derivation, compiled: Mapping[str, Compiled]) -> dict[str, object]:
-    """Names and sizes in the order of the C arguments."""
-    kernels = {}
+    """Names and shapes in the order of the arguments, and what runs over an index."""
+    kernels: dict[str, object] = {}
+    arrays: dict[str, None] = {}
     for name, made in compiled.items():
         kernel, used = made.program.kernel, made.program.inputs_used()
-        kernels[name] = {
-            "inputs": [(q.name, len(q.parts)) for q in kernel.inputs],
+        facts: dict[str, object] = {
+            "inputs": [(q.name, q.shape) for q in kernel.inputs],
             "reads": [q.name for q in kernel.parameters if q.name in used],
             "results": [(o.name, o.shape) for o in kernel.outputs],
         }
-    parameters = [(q.name, len(q.parts)) for q in derivation.parameters]
-    return {"parameters": parameters, "kernels": kernels}
+        if kernel.stateful:
+            facts["states"] = [(q.name, q.shape) for q in kernel.states]
+            facts["stateful"], facts["controller"] = kernel.stateful, kernel.controller
+        kernels[name] = facts
+        quantities = (*kernel.inputs, *kernel.parameters)
+        arrays.update((q.name, None) for q in quantities if index_of_parts(q))
+    parameters = [(q.name, q.shape) for q in derivation.parameters]
+    return {"parameters": parameters, "arrays": list(arrays), "kernels": kernels}

@@ -1,0 +1,105 @@
+"""What the comments of a C header say of arguments and results."""
+
+from __future__ import annotations
+
+from armillary.derivation.quantity import AnyQuantity, Kind
+from armillary.derivation.statements import Kernel, Output
+from armillary.derivation.status import Status
+from armillary.program.cost import Cost
+from armillary.program.guards import index_of_parts
+from armillary.program.program import Program
+from armillary.targets.c_function import must_not_overlap, state_argument
+from armillary.targets.c_language import filled
+
+
+def function_comment(program: Program, cost: Cost) -> list[str]:
+    """The Doxygen comment of a kernel."""
+    kernel = program.kernel
+    used = program.inputs_used()
+    ignored = [q.name for q in kernel.parameters if q.name not in used]
+    summary = (kernel.summary or kernel.name.replace("_", " ")).rstrip(".")
+    text = [f"@brief {summary}.", "", f"Cost: {cost}."]
+    if must_not_overlap(program):
+        text += ["Inputs are read while results are written: they must not overlap."]
+    if kernel.parameters:
+        text.append("@param[in] p parameters" + _ignored(kernel, ignored))
+    states = {q.name for q in kernel.states}
+    if kernel.stateful == "update":
+        text.append(
+            f"@param[in,out] {state_argument(kernel)} state of the {_words(kernel.controller)}; "
+            "untouched where the status is negative"
+        )
+    for q in kernel.inputs:
+        if q.name not in states:
+            text.append(f"@param[in] {q.name} {q.facts.meaning}, {facts(q)}")
+    text += [
+        f"@param[out] {kernel.result_argument(o.name)} {_result_facts(o)}"
+        for o in kernel.outputs
+        if o.name not in states
+    ]
+    if kernel.stateful == "init":
+        text.append(
+            f"@param[out] {state_argument(kernel)} state of the {_words(kernel.controller)}"
+        )
+    statuses = [Status.OK, *(c.status for c in kernel.cases)]
+    if program.guards:
+        statuses += [Status.NOT_FINITE, Status.OUT_OF_RANGE]
+    names = ", ".join(f"ARMILLARY_{s.name}" for s in dict.fromkeys(statuses))
+    text.append(f"@return {names}")
+    for case in kernel.cases:
+        text.append(f"  {case.status.name}: {case.because}")
+    lines = ["/**"]
+    for line in text:
+        wrapped = filled(comment(line), "", "    ", 94) or [""]
+        lines += [f" * {w}".rstrip() for w in wrapped]
+    return [*lines, " */"]
+
+
+def comment(text: str) -> str:
+    """Text that neither ends nor opens a comment."""
+    return text.replace("*/", "* /").replace("/*", "/ *")
+
+
+def _result_facts(output: Output) -> str:
+    """Meaning, shape, unit and id of a result."""
+    definition = output.definition
+    text = (definition.meaning if definition else "") or output.name
+    if output.indices:
+        text += f", for each {' and '.join(_words(index.name) for index in output.indices)}"
+    if len(output.shape) > 1:
+        text += f", {' by '.join(map(str, output.shape))}, row-major"
+    if output.unit and str(output.unit) != "1":
+        text += f", {output.unit}"
+    return text + (f" ({definition.identifier})" if definition else "")
+
+
+def _ignored(kernel: Kernel, ignored: list[str]) -> str:
+    if not ignored:
+        return ""
+    if len(ignored) == len(kernel.parameters):
+        return "; none of them is read"
+    return f"; not read: {', '.join(ignored)}"
+
+
+def facts(quantity: AnyQuantity) -> str:
+    """Unit, bounds and range of a quantity."""
+    low, high = quantity.facts.limits
+    if quantity.facts.kind is Kind.UNIT_VECTOR:
+        return "unit vector; refused when its square is off by more than 1e-3"
+    if quantity.facts.kind is Kind.ROTATION:
+        return (
+            "rotation matrix, 3 by 3, row-major; refused when a column's square or the dot product "
+            "of two columns is off by more than 1e-3, or its determinant is negative"
+        )
+    worked = quantity.facts.range
+    unit = str(quantity.unit)
+    index = index_of_parts(quantity)
+    each = f"for each {_words(index.name)}, " if index else ""
+    return (
+        f"{each}{'' if unit == '1' else unit + ', '}refused outside [{low:g}, {high:g}], "
+        f"working range [{worked[0]:g}, {worked[1]:g}]"
+    )
+
+
+def _words(name: str) -> str:
+    return name.replace("_", " ")
