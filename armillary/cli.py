@@ -7,7 +7,9 @@ quick. In a docstring, \\b tells click to keep the lines of a block as they are.
 
 from __future__ import annotations
 
+import functools
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -244,14 +246,51 @@ def audit(papers: tuple[str, ...], verbose: bool, as_json: bool) -> None:
 
 @main.command()
 @click.argument("system")
-def study(system: str) -> None:
+@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="Set a parameter.")
+@click.option("--only", multiple=True, metavar="PART", help="Only this part, and what it needs.")
+@click.option(
+    "--csv",
+    "folder",
+    type=click.Path(file_okay=False, path_type=Path),
+    help="Write the data of every plot and table to this folder; nothing is written without it.",
+)
+@click.option("--parameters", "list_them", is_flag=True, help="Print the parameters; run nothing.")
+def study(
+    system: str,
+    settings: tuple[str, ...],
+    only: tuple[str, ...],
+    folder: Path | None,
+    list_them: bool,
+) -> None:
     """Print what the study of a SYSTEM found: its tables, and the captions of its plots.
 
-    derivations/SYSTEM/study.py is run again only when it, the derivation or the kernels changed.
+    What a part of derivations/SYSTEM/study.py found is kept in build/studies, for the pages too. It
+    runs again only when its files, or a parameter or kernel that it reads, have changed; parts run
+    side by side, and a run that is stopped loses only the parts at work.
+
+    A parameter of derivations/SYSTEM/parameters.toml that is set is set for this run, and kept
+    apart; it is refused when it is out of its bounds. An array is written 1,2,3. Where two sections
+    have the name, write SECTION.NAME.
+
+    The name of a file of data is made from the caption. A part that runs alone shows the traceback
+    of its error with `armillary --debug study`.
+
+    \b
+    Examples:
+      armillary study my_tracker --parameters
+      armillary study my_tracker --set mass=60 --only tracking
+      armillary study my_tracker --csv data
     """
+    from armillary.project.study import parameters
     from armillary.project.study import study as run
 
-    for line in run(_project(), system, lambda line: click.echo(line, err=True)):
+    project = _project()
+    if list_them:
+        lines: Iterable[str] = parameters(project, system, settings)
+    else:
+        tell = functools.partial(click.echo, err=True)
+        lines = run(project, system, tell, settings, only, folder)
+    for line in lines:
         _say(line)
 
 

@@ -9,7 +9,8 @@ from functools import singledispatch
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.algebra.rigid import Matrix
-from armillary.derivation.paper import Between, Needed, Negligible, Spans, Word
+from armillary.derivation.paper import Needed, Negligible, Spans, Word
+from armillary.derivation.ranges import Between, Extremes, LeastMoved
 from armillary.derivation.statements import Block
 from armillary.site.notation import quantity_latex
 from armillary.site.structure import Structure
@@ -55,8 +56,24 @@ def _(printed: Needed, structure: Structure) -> Iterator[str]:
 
 @claim_latex.register
 def _(printed: Between, structure: Structure) -> Iterator[str]:
-    low, value, high = map(structure, (printed.low, printed.value, printed.high))
-    yield rf"{low} \le {value} \le {high}"
+    low = "" if printed.low is None else rf"{structure(printed.low)} \le "
+    high = "" if printed.high is None else rf" \le {structure(printed.high)}"
+    yield f"{low}{structure(printed.value)}{high}"
+
+
+@claim_latex.register
+def _(printed: Extremes, structure: Structure) -> Iterator[str]:
+    value, least, largest = map(structure, (printed.value, printed.least, printed.largest))
+    yield rf"\min {value} = {least},\quad \max {value} = {largest}"
+
+
+@claim_latex.register
+def _(printed: LeastMoved, structure: Structure) -> Iterator[str]:
+    value, letter = structure(printed.value), printed.over.letter
+    yield (
+        rf"\min_{{{letter}}} \left(\max {value} - \min {value}\right)"
+        rf"\text{{ at }} {letter} = {printed.part + 1}"
+    )
 
 
 @claim_latex.register

@@ -13,8 +13,9 @@ from armillary.site.pages import index_page, system_page
 from armillary.site.papers import PAPERS, audited_papers, paper_texts, prints_of
 from armillary.site.references import read_references
 from armillary.site.studies import studied
-from armillary.store.files import digest, digest_of, replace_durably
+from armillary.store.files import digest, digest_of, remove_empty_folders, replace_durably
 from armillary.store.lock import locked
+from armillary.verify.studies.data import files as data_files
 
 FOLDER = "systems"
 CHAPTER = "auditing.md"  # where a project explains the audit
@@ -43,9 +44,9 @@ def write_pages(root: Path, docs: Path) -> Written:
     printed = prints_of(papers, references)
     texts = {"index.md": index_page(derivations.values())}
     for name, derivation in derivations.items():
-        texts[f"{name}.md"] = system_page(
-            derivation, facts, references, studied(root, derivation, facts), printed
-        )
+        study = studied(root, facts.package, name)
+        texts[f"{name}.md"] = system_page(derivation, facts, references, study, printed)
+        texts |= {f"{name}/{file}": text for file, text in data_files(study.items).items()}
     told = paper_texts(papers, references, (docs / CHAPTER).is_file())
     with locked(root / _LOCK, lambda: None):  # held for a moment only
         replace_folder(docs / FOLDER, texts)
@@ -57,13 +58,15 @@ def write_pages(root: Path, docs: Path) -> Written:
 
 
 def replace_folder(folder: Path, texts: Mapping[str, str]) -> list[str]:
-    """Make the Markdown files of a folder these and no others; tells what changed."""
+    """Make the pages and data of a folder these and no others; tells what changed."""
     folder.mkdir(parents=True, exist_ok=True)
     changed = [name for name, text in texts.items() if _write(folder / name, text)]
-    for path in sorted(folder.glob("*.md")):
-        if path.name not in texts:
+    for path in sorted((*folder.glob("*.md"), *folder.glob("*/*.csv"))):
+        name = path.relative_to(folder).as_posix()
+        if name not in texts:
             path.unlink()
-            changed.append(path.name)
+            remove_empty_folders(path.parent, folder)
+            changed.append(name)
     return changed
 
 

@@ -73,7 +73,6 @@ def system_page(
         summary=derivation.summary,
         figures=drawn,
         studies=blocks(study.items, derivation.name, len(drawn)) if study else [],
-        study_missing=study.missing if study else "",
         assumptions=derivation.assumptions,
         rows=notation_rows(derivation),
         compact=next((a for s in found for a in sorted(s.compact)), "") if shortened else "",

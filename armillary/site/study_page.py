@@ -1,4 +1,4 @@
-"""A study on its page: headings with addresses, prose, tables and figures."""
+"""A study on its page: headings with addresses, prose, tables and figures with their data."""
 
 from __future__ import annotations
 
@@ -7,7 +7,9 @@ from collections.abc import Sequence
 from html import escape
 
 from armillary.site.plots import plot_html
-from armillary.verify.study import Heading, Item, Prose, Table
+from armillary.verify.studies.data import names
+from armillary.verify.studies.parts import ALONE
+from armillary.verify.study import Absent, Heading, Item, ParameterTable, Prose, Table
 
 _FORMULA = re.compile(r"\$([^$\n]+)\$")
 
@@ -15,24 +17,29 @@ _FORMULA = re.compile(r"\$([^$\n]+)\$")
 def blocks(items: Sequence[Item], system: str, figures: int) -> list[str]:
     """The study as blocks of Markdown and HTML.
 
+    Data are linked in the folder `<system>` beside the page, by the names that `verify` gives them.
+
     Args:
         figures: how many figures stand on the page before it.
     """
     found: list[str] = []
     taken: dict[str, int] = {}
     tables = plots = 0
-    for item in items:
+    for item, name in zip(items, names(items), strict=True):
+        data = f"{system}/{name}"
         if isinstance(item, Heading):
             found.append(_heading(item, system, taken))
         elif isinstance(item, Prose):
             found.append(with_formulas(item.text))
+        elif isinstance(item, Absent):
+            found.append(_absent(item))
         elif isinstance(item, Table):
             tables += 1
-            found.append(table_html(item, f"table-{system}-{tables}", tables))
-        else:
+            found.append(table_html(item, f"table-{system}-{tables}", tables, data))
+        elif not isinstance(item, ParameterTable):  # these are tables by now
             plots += 1
             identifier = f"plot-{system}-{plots}"
-            caption = f"<b>Figure {figures + plots}.</b> {words(item.caption)}"
+            caption = f"<b>Figure {figures + plots}.</b> {words(item.caption)} {_link(data)}"
             found.append(
                 f'<figure id="{identifier}">{plot_html(item, identifier)}'
                 f"<figcaption>{caption}</figcaption></figure>"
@@ -40,8 +47,12 @@ def blocks(items: Sequence[Item], system: str, figures: int) -> list[str]:
     return found
 
 
-def table_html(table: Table, identifier: str, number: int) -> str:
-    """A table; columns of numbers are set from the right, words in the first head their rows."""
+def table_html(table: Table, identifier: str, number: int, data: str) -> str:
+    """A table; columns of numbers are set from the right, words in the first head their rows.
+
+    Args:
+        data: address of its data.
+    """
     heads = "".join(
         f'<th scope="col"{_side(table, k)}>{words(head.name)}'
         f"{f'<br><small>{words(head.unit)}</small>' if head.unit else ''}</th>"
@@ -51,11 +62,20 @@ def table_html(table: Table, identifier: str, number: int) -> str:
         f"<tr>{''.join(_cell(table, k, text) for k, text in enumerate(row))}</tr>"
         for row in table.texts()
     )
-    caption = f"<caption><b>Table {number}.</b> {words(table.caption)}</caption>"
+    caption = f"<caption><b>Table {number}.</b> {words(table.caption)} {_link(data)}</caption>"
     return (
         f'<table class="study" id="{identifier}">{caption}<thead><tr>{heads}</tr></thead>'
         f"<tbody>{rows}</tbody></table>"
     )
+
+
+def _link(data: str) -> str:
+    return f'<a class="data" href="{data}" type="text/csv" download>CSV</a>'
+
+
+def _absent(item: Absent) -> str:
+    part = f" ({escape(item.part)})" if item.part not in ("", ALONE) else ""
+    return f"<p>Not computed here{part}: {escape(item.why)}.</p>"
 
 
 def words(text: str) -> str:

@@ -128,8 +128,7 @@ def native_implementations(
 
 
 def _native(folder: Path, native: ModuleType, system: str, name: str, dtype: Any) -> Implementation:
-    if not any(shutil.which(c) for c in (os.environ.get("CC", "cc").split()[0], "gcc", "clang")):
-        raise EngineMissing("a C compiler", "install gcc or clang, or set CC")
+    need_compiler()
     with _importing(folder):
         module = getattr(native, system)
 
@@ -138,3 +137,13 @@ def _native(folder: Path, native: ModuleType, system: str, name: str, dtype: Any
         return {field: np.asarray(getattr(answer, field)) for field in answer._fields}
 
     return Implementation(name, dtype, call)
+
+
+def need_compiler() -> None:
+    """See that there is something to compile the C with.
+
+    Raises:
+        EngineMissing: if there is not.
+    """
+    if not any(shutil.which(c) for c in (os.environ.get("CC", "cc").split()[0], "gcc", "clang")):
+        raise EngineMissing("a C compiler", "install gcc or clang, or set CC")

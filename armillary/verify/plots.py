@@ -122,6 +122,7 @@ class Plot:
         caption: what the plot shows, in a sentence; formulas between dollars.
         across: the horizontal axis, or its label.
         up: the vertical axis, or its label.
+        equal: whether a unit is as long across as up, as in a drawing of a thing.
     """
 
     caption: str
@@ -130,9 +131,15 @@ class Plot:
     curves: Sequence[Curve]
     marks: Sequence[Mark] = ()
     bands: Sequence[Band] = ()
+    equal: bool = False
 
     def __post_init__(self) -> None:
         _axes(self, "across", "up")
+        if self.equal and any(axis.log for axis in self.axes):
+            raise PlotError(
+                "a plot with equal units on a logarithmic axis",
+                "leave out equal=, or take linear axes",
+            )
         _tuples(self, "curves", "marks", "bands")
         check_several(self.curves, "curves")
         for curve in self.curves:

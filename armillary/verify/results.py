@@ -20,7 +20,7 @@ from armillary.derivation.record import Derivation
 from armillary.store.files import digest, digest_of, replace_durably
 from armillary.store.lock import locked
 from armillary.targets.manifest import read_manifest
-from armillary.verify import tolerances
+from armillary.verify import parameters, tolerances
 from armillary.verify.measured import Point
 
 CHECKS = Path("build") / "checks.json"
@@ -83,14 +83,15 @@ def standing(root: Path, record: Derivation, rows: Sequence[Row]) -> Standing:
 def checked_digest(root: Path, record: Derivation) -> str:
     """A hash of all that the checks of a system look at.
 
-    What it states, its simulation with the files beside that it imports, its tolerances, and the
-    files that were generated from it.
+    What it states, its simulation with the files beside that it imports, its parameters and
+    tolerances, and the files that were generated from it.
     """
     folder = root / "derivations" / record.name
     manifest = read_manifest(root / "generated")
     entry = manifest.systems.get(record.name) if manifest else None
     parts = [system_digest(record)]
     read = [*files_of(folder / "simulation.py"), folder / tolerances.NAME]
+    read += [path for path in (folder / parameters.NAME,) if path.is_file()]
     parts += [f"{path.name} {digest_of(path)}" for path in read]
     parts += [f"{name} {made}" for name, made in sorted(entry.files.items())] if entry else []
     return digest("\n".join(parts).encode())[:16]

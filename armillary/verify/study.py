@@ -1,14 +1,17 @@
 """What a study says: headings, prose, tables and plots, in the order of the page.
 
 `study.py` beside a derivation has a function `study(kernels)` that yields these: the questions of
-the paper, answered with the kernels. Random numbers come from a generator that it seeds itself.
+the paper, answered with the kernels. A long study has `parts = [("name", function), ...]` instead,
+each such a function; they run apart. Random numbers come from a generator that it seeds itself.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import json
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from numbers import Integral
+from typing import Any
 
 from armillary.verify import plots
 from armillary.verify.plot_values import PlotError, keep, values
@@ -94,7 +97,68 @@ class Table:
         return not any(isinstance(row[column], str) for row in self.rows)
 
 
-Item = Heading | Prose | Table | plots.AnyPlot
+@dataclass(frozen=True)
+class ParameterTable:
+    """The parameters of the study with unit, meaning and source, as they are when it is shown.
+
+    Attributes:
+        sections: of `parameters.toml`; all unless given.
+    """
+
+    caption: str
+    sections: Sequence[str] = ()
+
+    def __post_init__(self) -> None:
+        if isinstance(self.sections, str):
+            raise PlotError(f"sections={self.sections!r}", f"give a list: [{self.sections!r}]")
+        keep(self, "sections", tuple(self.sections))
+
+
+@dataclass(frozen=True)
+class Result:
+    """What a part leaves to those that need it; not shown.
+
+    Attributes:
+        value: numbers, strings, and lists, mappings and arrays of these; kept as JSON keeps them.
+    """
+
+    name: str
+    value: Any
+
+    def __post_init__(self) -> None:
+        try:
+            keep(self, "value", json.loads(json.dumps(self.value, default=_listed)))
+        except (TypeError, ValueError):
+            raise PlotError(
+                f"the result {self.name!r} cannot be kept",
+                "give numbers, strings, and lists, mappings with names, or arrays of these",
+            ) from None
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of a study, which runs by itself.
+
+    Attributes:
+        run: yields items. Its first argument is the kernels; others that it names are given:
+            `parameters`, `tell`, `results`, `native`, or a system of the project for its kernels.
+        needs: names of the parts whose results it takes.
+    """
+
+    name: str
+    run: Callable[..., Iterable[object]]
+    needs: Sequence[str] = ()
+
+
+@dataclass(frozen=True)
+class Absent:
+    """Stands where a part would, for want of something on this machine; `why` says of what."""
+
+    part: str
+    why: str
+
+
+Item = Heading | Prose | Table | plots.AnyPlot | ParameterTable | Absent
 
 
 def text_of(cell: Cell, form: str) -> str:
@@ -107,6 +171,13 @@ def text_of(cell: Cell, form: str) -> str:
     head, mark, power = text.partition("e")
     raised = "10" + str(int(power)).translate(plots.RAISED) if mark else ""
     return head.replace("-", "−") + ("·" if mark else "") + raised
+
+
+def _listed(given: Any) -> Any:
+    """An array, or a number of one, as lists and numbers."""
+    if hasattr(given, "tolist"):
+        return given.tolist()
+    raise TypeError
 
 
 def _column(given: Column | str) -> Column:

@@ -10,7 +10,7 @@ from armillary.project.config import Project
 from tests.project.conftest import Run
 from tests.project.projects import edit, regenerate
 
-COMMANDS = ("init", "new", "list", "show", "generate", "check", "site")
+COMMANDS = ("init", "new", "list", "show", "generate", "check", "audit", "study", "site")
 
 
 def test_help_names_every_command_and_keeps_its_examples(run: Run, tmp_path: Path):

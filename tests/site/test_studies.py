@@ -1,20 +1,17 @@
-"""Studies: run when something they stand on changed, shown on the page, told as text."""
+"""Studies on the pages: run when something they stand on changed, shown with their data."""
 
 import logging
 import re
 
 import pytest
 
-from armillary.derivation.load import load
 from armillary.project.config import find_project
 from armillary.project.generate import generate
-from armillary.project.study import study as as_text
 from armillary.site.build import build_site
 from armillary.site.errors import SiteError
-from armillary.site.facts import read_facts
 from armillary.site.studies import Studied, studied, telling
 from armillary.site.study_page import blocks, words
-from armillary.verify.study import Column, Heading, Prose, Table
+from armillary.verify.study import Absent, Column, Heading, Prose, Table
 from tests.project.projects import ALONE, SETTINGS, edit, write_system
 from tests.site import figures
 
@@ -24,12 +21,10 @@ from armillary.verify.plots import Curve, Plot
 from armillary.verify.study import Column, Heading, Prose, Table
 from .angles import ANGLES
 
-RUNS = open(__file__.replace("study.py", "runs.txt"), "a")
-
 
 def study(kernels):
-    RUNS.write("run\\n")
-    RUNS.close()
+    with open(__file__.replace("study.py", "runs.txt"), "a") as runs:
+        runs.write("run\\n")
     y = kernels.thrice(x=ANGLES).y
     yield Heading("How much is <thrice>?")
     yield Prose(f"At $x_1 = 2$ it is **{y[1]:.1f}**, which is > 5.")
@@ -56,7 +51,7 @@ def root(tmp_path):
 
 
 def of(root) -> Studied:
-    return studied(root, load(root / "derivations" / "alone" / "derivation.py"), read_facts(root))
+    return studied(root, "demo_kernels", "alone")
 
 
 def runs(root) -> int:
@@ -93,17 +88,17 @@ def test_it_runs_again_after_an_edit_and_only_then(root):
     assert "**9.0**" in of(root).items[1].text
     assert runs(root) == 3
     edit(root, "alone", "3 * x", "4 * x")
-    of(root)  # the derivation says more than the kernels do: it is told apart
+    of(root)  # the kernels are what they were
+    assert runs(root) == 3
     generate(find_project(root), (), lambda line: None)
     assert "**12.0**" in of(root).items[1].text
-    assert runs(root) == 5
     of(root)
-    assert runs(root) == 5
+    assert runs(root) == 4
 
 
 def test_a_kept_study_that_cannot_be_read_is_made_again(root):
     fresh = of(root)
-    path = root / "build" / "studies" / "alone.json"
+    (path,) = (root / "build" / "studies" / "alone" / "study").glob("*.json")
     path.write_text(path.read_text().replace('"Prose"', '"Poem"'), "utf-8")
     assert of(root) == fresh
     assert runs(root) == 2
@@ -122,18 +117,15 @@ def test_the_page_shows_it(root):
     assert '<td class="num">6.00</td>' in page
     assert '<th scope="row">next</th>' in page
     assert 'id="plot-alone-1"' in page
-    assert "<b>Figure 1.</b> It is a line." in page
+    assert "<b>Figure 1.</b> It is a line. <a" in page
+    for name in ("all-of-y.csv", "it-is-a-line.csv"):
+        assert f'<a class="data" href="alone/{name}" type="text/csv" download>CSV</a>' in page
+    data = root / "site" / "systems" / "alone"
+    assert (data / "all-of-y.csv").read_text("utf-8") == 'place,"y, rad"\nfirst,3.0\nnext,6.0\n'
+    assert (data / "it-is-a-line.csv").read_text("utf-8").startswith('curve,"x, rad","y, rad"\n')
     build_site(root, root / "site", say=lines.append)
     assert lines.count("studying alone") == 1
     assert runs(root) == 1
-
-
-def test_it_is_told_as_text(root):
-    told: list[str] = []
-    text = "\n".join(as_text(find_project(root), "alone", told.append))
-    assert told == ["studying alone"]
-    assert "place  y, rad\n-------------\nfirst    3.00\nnext     6.00\n" in text
-    assert "[figure] It is a line." in text
 
 
 WRONG = {
@@ -142,7 +134,7 @@ WRONG = {
         "    from armillary.verify.plots import Curve\n    yield Curve('a', [0], [float('inf')])\n",
         "study.py:3: y of the curve 'a' is infinite somewhere\n  mend: give None",
     ),
-    "something else": ("    yield 3\n", "the study yields int\n  mend: yield Bars, HeatMap"),
+    "something else": ("    yield 3\n", "the study yields int\n  mend: yield Bars, Heading"),
     "a file that is not there": (
         "    from .nowhere import x\n    yield x\n",
         "ModuleNotFoundError",
@@ -165,11 +157,70 @@ def test_a_missing_engine_is_said_and_not_kept(root):
         "from armillary.verify.engines import need\n\n\ndef study(kernels):\n    yield need({!r})\n"
     )
     path.write_text(text.format("nowhere_to_be_found"), "utf-8")
-    assert of(root) == Studied(missing="nowhere_to_be_found is not installed")
-    assert not (root / "build" / "studies").exists()
+    found = of(root)
+    assert found == Studied((Absent("study", "nowhere_to_be_found is not installed"),))
+    assert found.missing == "nowhere_to_be_found is not installed"
+    assert not list((root / "build" / "studies").rglob("*.json"))
     build_site(root, root / "site", say=lambda line: None)
     page = (root / "site" / "systems" / "alone.html").read_text("utf-8")
     assert "Not computed here: nowhere_to_be_found is not installed." in page
+
+
+PARTS = """
+from armillary.verify.engines import need
+from armillary.verify.study import Heading, ParameterTable, Prose
+
+def bodies(kernels):
+    need("nowhere_to_be_found")
+    yield Prose("never")
+
+def curves(kernels, parameters):
+    yield Heading("Curves")
+    yield ParameterTable("What it was computed with.")
+    yield Prose(f"mass {parameters.plant.mass:g}")
+
+parts = [("bodies", bodies), ("curves", curves)]
+"""
+MASS = """
+[plant]
+mass = { value = 2.5, unit = "kg", meaning = "its $m$", provenance = "ours", source = "Ours." }
+"""
+
+
+def test_a_part_that_misses_its_engine_says_so_in_its_place(root):
+    folder = root / "derivations" / "alone"
+    (folder / "study.py").write_text(PARTS, "utf-8")
+    (folder / "parameters.toml").write_text(MASS, "utf-8")
+    build_site(root, root / "site", say=lambda line: None)
+    page = (root / "site" / "systems" / "alone.html").read_text("utf-8")
+    missing = page.index("Not computed here (bodies): nowhere_to_be_found is not installed.")
+    assert missing < page.index('id="study-alone-curves"') < page.index("mass 2.5")
+    assert 'its <span class="tex" data-tex="m"></span>' in page
+    data = root / "site" / "systems" / "alone" / "what-it-was-computed-with.csv"
+    assert data.read_text("utf-8") == (
+        "name,value,unit,meaning,from,source\nplant.mass,2.5,kg,its $m$,ours,Ours.\n"
+    )
+
+
+def test_data_that_nothing_links_any_more_are_removed(root):
+    build_site(root, root / "site", say=lambda line: None)
+    data = root / "docs" / "systems" / "alone"
+    assert sorted(path.name for path in data.iterdir()) == ["all-of-y.csv", "it-is-a-line.csv"]
+    study = root / "derivations" / "alone" / "study.py"
+    study.write_text(STUDY.replace("All of $y$.", "Some."), "utf-8")
+    build_site(root, root / "site", say=lambda line: None)
+    assert sorted(path.name for path in data.iterdir()) == ["it-is-a-line.csv", "some.csv"]
+    study.unlink()
+    build_site(root, root / "site", say=lambda line: None)
+    assert not data.exists()
+    assert not (root / "site" / "systems" / "alone").exists()
+
+
+def test_wrong_parameters_are_told(root):
+    folder = root / "derivations" / "alone"
+    (folder / "parameters.toml").write_text("[plant]\nmass = {}\n", "utf-8")
+    with pytest.raises(SiteError, match=r"plant\.mass has no value"):
+        of(root)
 
 
 def test_without_kernels_there_is_no_study(root):

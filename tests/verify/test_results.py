@@ -52,6 +52,12 @@ def test_a_result_of_before_an_edit_does_not(root, old, new):
     assert len(known(root).rows) == 1
 
 
+def test_a_result_of_before_an_edit_of_the_parameters_does_not(root):
+    results.write(root, [row(root, "aim")])
+    (root / "derivations" / "aim" / "parameters.toml").write_text("[plant]\n", "utf-8")
+    assert known(root) == results.Standing((), True)
+
+
 def test_a_result_of_before_an_edit_beside_the_simulation_does_not(root):
     folder = root / "derivations" / "aim"
     (folder / "simulation.py").write_text("from .rays import checks\n", "utf-8")

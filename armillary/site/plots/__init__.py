@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from armillary.site.plots import bars, lines
-from armillary.site.plots.axes import PANEL, WHOLE, Size
+from armillary.site.plots.axes import PANEL, TALL, WHOLE, Size
 from armillary.site.plots.legend import Entry, colour_bar, legend
 from armillary.site.plots.levels import classes_of
 from armillary.site.plots.maps import heat_map
@@ -36,7 +36,7 @@ def plot_html(plot: AnyPlot, identifier: str) -> str:
 
 def _panel(plot: Panel, together: Sequence[Panel], identifier: str) -> str:
     drawing = Drawing()
-    _draw(drawing, plot, PANEL, together)
+    _draw(drawing, plot, TALL if isinstance(plot, Plot) and plot.equal else PANEL, together)
     drawing.text((0 if _is_sky(plot) else PANEL.width / 2, _head(plot)), plot.caption, "heading")
     return drawing.svg(identifier, title(plot.caption), about=described(plot))
 
@@ -47,8 +47,7 @@ def _draw(drawing: Drawing, plot: Panel, size: Size, together: Sequence[Panel]) 
         classes = classes_of([one for one in together if isinstance(one, HeatMap)])
         heat_map(drawing, plot, size, classes)
     elif isinstance(plot, Plot):
-        up = [v for one in together if isinstance(one, Plot) for v in lines.heights(one)]
-        lines.lines(drawing, plot, size, up)
+        lines.lines(drawing, plot, size, [one for one in together if isinstance(one, Plot)])
     elif isinstance(plot, Histogram):
         lines.steps(drawing, plot, size, _numbers(together))
     else:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from armillary.site.svg import Drawing, Point2
@@ -23,6 +23,7 @@ class Size:
 
 WHOLE = Size(520.0, 260.0)
 PANEL = Size(230.0, 190.0, 4, 5)
+TALL = Size(170.0, 330.0, 3, 6)  # a panel of a drawing with equal units
 
 
 @dataclass(frozen=True)
@@ -70,6 +71,25 @@ def scale(
     room = (high / low - 1 if axis.log else high - low) * 1e-9
     inside = [t for t in marks if low - abs(room) <= t <= high + abs(room)]
     return Scale(axis, low, high, start, end, tuple(inside), tuple(_minor(axis, low, high)))
+
+
+def equal(
+    axes: tuple[Axis, Axis], across: Iterable[Value], up: Iterable[Value], size: Size
+) -> tuple[Axis, Axis]:
+    """Both axes with one unit, such that the data stand in the middle of the room."""
+    spans = []
+    for axis, found in zip(axes, (across, up), strict=True):
+        known = [value for value in found if value is not None]
+        low = axis.low if axis.low is not None else min(known)
+        high = axis.high if axis.high is not None else max(known)
+        spans.append(_apart(axis, low, high))
+    rooms = size.width, size.height
+    unit = max(1.06 * (high - low) / room for (low, high), room in zip(spans, rooms, strict=True))
+    made = [
+        replace(axis, low=(low + high - unit * room) / 2, high=(low + high + unit * room) / 2)
+        for axis, (low, high), room in zip(axes, spans, rooms, strict=True)
+    ]
+    return made[0], made[1]
 
 
 def ticks(low: float, high: float, about: int = 6) -> list[float]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from armillary.site.plots.axes import Scale, Size, frame, grid, runs, scale, within
+from armillary.site.plots.axes import Scale, Size, equal, frame, grid, runs, scale, within
 from armillary.site.plots.legend import Entry, Sample
 from armillary.site.svg import Drawing, Point2, number
 from armillary.verify.plots import Band, Curve, Histogram, Mark, Plot, Value
@@ -31,13 +31,22 @@ def heights(plot: Plot) -> Iterator[Value]:
     yield from (mark.value for mark in plot.marks if not mark.across)
 
 
-def lines(drawing: Drawing, plot: Plot, size: Size, up: Sequence[Value]) -> None:
-    """A plot without its legend; `up` are the heights that the vertical scale must hold."""
+def widths(plot: Plot) -> Iterator[Value]:
+    """All that the horizontal axis must hold."""
+    for curve in plot.curves:
+        yield from curve.x
+    for band in plot.bands:
+        yield from band.x
+    yield from (mark.value for mark in plot.marks if mark.across)
+
+
+def lines(drawing: Drawing, plot: Plot, size: Size, together: Sequence[Plot]) -> None:
+    """A plot without its legend, on the vertical scale (and the unit) of all in `together`."""
     across, upward = plot.axes
-    places = [value for curve in plot.curves for value in curve.x]
-    places += [value for band in plot.bands for value in band.x]
-    places += [mark.value for mark in plot.marks if mark.across]
-    x = scale(across, places, 0.0, size.width, size.across, snug=True)
+    up = [value for one in together for value in heights(one)]
+    if plot.equal:
+        across, upward = equal(plot.axes, [v for one in together for v in widths(one)], up, size)
+    x = scale(across, widths(plot), 0.0, size.width, size.across, snug=True)
     y = scale(upward, up, size.height, 0.0, size.up)
     grid(drawing, x, y)
     for k, band in enumerate(plot.bands, 1):

@@ -10,7 +10,7 @@ from typing import Any
 from armillary.verify.measured import Measured, Skipped
 
 # What pip calls the engines that Python calls otherwise.
-_PACKAGES = {"pinocchio": "pin", "erfa": "pyerfa"}
+PACKAGES = {"pinocchio": "pin", "erfa": "pyerfa"}
 INSTALL = "pip install 'armillary[check]'"
 
 
@@ -34,7 +34,7 @@ def need(module: str) -> ModuleType:
         top = module.partition(".")[0]
         if problem.name is not None and problem.name.partition(".")[0] != top:
             raise  # the engine is there, and something else is broken
-        package = _PACKAGES.get(top)
+        package = PACKAGES.get(top)
         install = f"{INSTALL} (or pip install {package})" if package else INSTALL
         raise EngineMissing(top, install) from problem
 

@@ -1,0 +1,1 @@
+"""Runs studies: finds their parts, runs what is not kept, and keeps what was found."""
