@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import Any
 
 from armillary.derivation.paper import (
-    Between,
     Equation,
     Needed,
     Negligible,
@@ -16,7 +15,8 @@ from armillary.derivation.paper import (
     Unchecked,
     Word,
 )
-from armillary.verify.audit import sentences, words
+from armillary.derivation.ranges import Between, Extremes, LeastMoved
+from armillary.verify.audit import ranges, sentences, words
 from armillary.verify.audit.claims import claimed
 from armillary.verify.audit.reading import read
 from armillary.verify.audit.verdict import Finding, Verdict
@@ -42,7 +42,11 @@ def finding(paper: Paper, printed: Printed, latex: Callable[[Any], str] | None =
     if isinstance(printed, Needed):
         return sentences.needed(paper, printed)
     if isinstance(printed, Between):
-        return sentences.between(paper, printed)
+        return ranges.between(paper, printed)
+    if isinstance(printed, Extremes):
+        return ranges.extremes(paper, printed)
+    if isinstance(printed, LeastMoved):
+        return ranges.least_moved(paper, printed)
     if isinstance(printed, Spans):
         return sentences.spans(paper, printed)
     assert isinstance(printed, Unchecked)

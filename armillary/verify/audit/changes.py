@@ -9,9 +9,19 @@ from typing import Any
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
+from armillary.algebra.derivative import Differentiator, partial_seed
+from armillary.algebra.indexed import At, Total, at, indices
 from armillary.algebra.rotation import Composed, Elementary, Rotation, RotationReference, factors
 from armillary.verify.audit.plain import plain
 from armillary.verify.audit.pool import Pool, is_name
+from armillary.verify.audit.terms import (
+    factors_of,
+    multiplied,
+    summed,
+    terms_of,
+    vector_terms,
+    vectors_summed,
+)
 
 # What a reader would think of first.
 RANKS = {
@@ -19,9 +29,11 @@ RANKS = {
     "function": 1,
     "index": 2,
     "lost dot": 3,
+    "lost d": 3,
     "dot too many": 3,
     "axis": 2,
     "order of factors": 4,
+    "half turn": 4,
     "transposition": 4,
     "term": 5,
     "lost term": 5,
@@ -78,22 +90,27 @@ class Changes:
         for k, (negative, term) in enumerate(terms):
 
             def put(new: s.Scalar, k: int = k, negative: bool = negative) -> s.Scalar:
-                return _summed([*terms[:k], (negative, new), *terms[k + 1 :]])
+                return summed([*terms[:k], (negative, new), *terms[k + 1 :]])
 
             if len(terms) > 1 or top:
-                flipped = _summed([*terms[:k], (not negative, term), *terms[k + 1 :]])
+                flipped = summed([*terms[:k], (not negative, term), *terms[k + 1 :]])
                 yield _change("sign", f"{_sign(not negative)} for {_sign(negative)} before "
                               f"{plain(term)}", flipped)  # fmt: skip
             if len(terms) > 1:
-                without = _summed([*terms[:k], *terms[k + 1 :]])
+                without = summed([*terms[:k], *terms[k + 1 :]])
                 yield _change("term", f"the term {plain(term)} left out", without)
-            if len(terms) > 1 or top:
+            if (len(terms) > 1 or top) and not isinstance(term, s.Number):
                 yield _change("factor", f"twice {plain(term)}", put(s.multiply(s.number(2), term)))
                 for lost in self.pool.factors():
                     more = put(s.multiply(term, lost))
                     yield Change("factor", f"{plain(term)} times {plain(lost)}", LOST, more)
                     less = put(s.divide(term, lost))
                     yield Change("factor", f"{plain(term)} divided by {plain(lost)}", LOST, less)
+                for count in self.pool.numbers:
+                    if s.is_zero(count) or s.is_one(count):
+                        continue
+                    less = put(s.divide(term, count))
+                    yield Change("factor", f"{plain(term)} divided by {plain(count)}", LOST, less)
             yield from _carried(self.product(term), put)
         if top:
             yield from self._lost_terms(node)
@@ -117,9 +134,9 @@ class Changes:
         for k, part in enumerate(parts):
 
             def put(new: s.Scalar, k: int = k) -> s.Scalar:
-                return _multiplied([*parts[:k], new, *parts[k + 1 :]])
+                return multiplied([*parts[:k], new, *parts[k + 1 :]])
 
-            without = _multiplied([*parts[:k], *parts[k + 1 :]])
+            without = multiplied([*parts[:k], *parts[k + 1 :]])
             yield _change("factor", f"the factor {plain(part)} left out", without)
             if not isinstance(part, s.Number):
                 twice = put(s.multiply(part, part))
@@ -155,6 +172,9 @@ class Changes:
         top, below = node.numerator, node.denominator
         yield _change("factor", f"the divisor {plain(below)} left out", top)
         yield _change("factor", f"times {plain(below)} for divided by it", s.multiply(top, below))
+        if isinstance(below, s.Symbol):
+            words = f"the derivative of {plain(top)} by {plain(below)} for their quotient"
+            yield _change("lost d", words, Differentiator(partial_seed(below)).scalar(top))
         yield from _carried(self.inside(top), lambda new: s.divide(new, below))
         yield from _carried(self.inside(below), lambda new: s.divide(top, new))
 
@@ -184,7 +204,28 @@ class Changes:
 
     @inside.register
     def _(self, node: s.ArcSine) -> Iterator[Change]:
+        yield _change("function", "arccos for arcsin", s.ArcCosine(node.argument))
         yield from _carried(self.sum(node.argument, top=True), s.ArcSine)
+
+    @inside.register
+    def _(self, node: s.ArcCosine) -> Iterator[Change]:
+        yield _change("function", "arcsin for arccos", s.ArcSine(node.argument))
+        yield from _carried(self.sum(node.argument, top=True), s.ArcCosine)
+
+    @inside.register
+    def _(self, node: At) -> Iterator[Change]:
+        yield from _carried(self.inside(node.term), lambda new: at(new, node.over, node.place))
+        for k in range(node.over.size):
+            if k != node.place:
+                other = at(node.term, node.over, k)
+                yield _change("index", f"{plain(other)} for {plain(node)}", other)
+
+    @inside.register
+    def _(self, node: Total) -> Iterator[Change]:
+        for change in self.sum(node.term, top=True):
+            if node.over in indices(change.node):
+                new = Total(change.node, node.over)
+                yield Change(change.kind, change.words, change.rank, new)
 
     @inside.register
     def _(self, node: s.Absolute) -> Iterator[Change]:
@@ -221,18 +262,18 @@ class Changes:
 
     def vector_sum(self, node: v.Vector, top: bool = False) -> Iterator[Change]:
         """Changes of a vector's terms, as of a scalar's."""
-        terms = _vector_terms(node)
+        terms = vector_terms(node)
         for k, (negative, term) in enumerate(terms):
 
             def put(new: v.Vector, k: int = k, negative: bool = negative) -> v.Vector:
-                return _vectors_summed([*terms[:k], (negative, new), *terms[k + 1 :]])
+                return vectors_summed([*terms[:k], (negative, new), *terms[k + 1 :]])
 
             if len(terms) > 1 or top:
-                flipped = _vectors_summed([*terms[:k], (not negative, term), *terms[k + 1 :]])
+                flipped = vectors_summed([*terms[:k], (not negative, term), *terms[k + 1 :]])
                 yield _change("sign", f"{_sign(not negative)} for {_sign(negative)} before "
                               f"{plain(term)}", flipped)  # fmt: skip
             if len(terms) > 1:
-                without = _vectors_summed([*terms[:k], *terms[k + 1 :]])
+                without = vectors_summed([*terms[:k], *terms[k + 1 :]])
                 yield _change("term", f"the term {plain(term)} left out", without)
             yield from _carried(self.inside(term), put)
 
@@ -304,56 +345,9 @@ class Changes:
             if axis != part.axis:
                 words = f"axis {v.AXIS_NAMES[axis]} for {v.AXIS_NAMES[part.axis]} of {plain(part)}"
                 yield _change("axis", words, Elementary(axis, part.angle))
+        further = Elementary(part.axis, s.add(part.angle, s.PI))
+        yield _change("half turn", f"{plain(part)} turning half a turn further", further)
         yield from _carried(self.inside(part.angle), lambda new: Elementary(part.axis, new))
-
-
-def terms_of(node: s.Scalar) -> list[tuple[bool, s.Scalar]]:
-    """The terms of a sum, and whether each is subtracted; brackets stay terms."""
-    if isinstance(node, s.Add):
-        return terms_of(node.left) + terms_of(node.right)
-    if isinstance(node, s.Negate):
-        return [(True, node.argument)]
-    parts = factors_of(node)
-    minus = [part for part in parts if isinstance(part, s.Negate)]
-    if not minus:
-        return [(False, node)]
-    # -a b is written as (-a) b: the sign is the term's.
-    bare = [part.argument if isinstance(part, s.Negate) else part for part in parts]
-    return [(len(minus) % 2 == 1, _multiplied(bare))]
-
-
-def factors_of(node: s.Scalar) -> list[s.Scalar]:
-    """The factors of a product, from left to right."""
-    if isinstance(node, s.Multiply):
-        return factors_of(node.left) + factors_of(node.right)
-    return [node]
-
-
-def _vector_terms(node: v.Vector) -> list[tuple[bool, v.Vector]]:
-    if isinstance(node, v.VectorSum):
-        return _vector_terms(node.left) + _vector_terms(node.right)
-    return [(True, node.argument)] if isinstance(node, v.VectorNegate) else [(False, node)]
-
-
-def _summed(terms: list[tuple[bool, s.Scalar]]) -> s.Scalar:
-    total: s.Scalar = s.ZERO
-    for negative, term in terms:
-        total = s.add(total, s.negate(term) if negative else term)
-    return total
-
-
-def _vectors_summed(terms: list[tuple[bool, v.Vector]]) -> v.Vector:
-    total: v.Vector = v.NULL
-    for negative, term in terms:
-        total = v.add_vectors(total, v.negate_vector(term) if negative else term)
-    return total
-
-
-def _multiplied(parts: list[s.Scalar]) -> s.Scalar:
-    product: s.Scalar = s.ONE
-    for part in parts:
-        product = s.multiply(product, part)
-    return product
 
 
 def _sign(negative: bool) -> str:

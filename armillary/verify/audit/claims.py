@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
+from armillary.algebra.indexed import indices
 from armillary.algebra.rigid import Pose
 from armillary.algebra.rotation import Rotation
 from armillary.derivation.entries import Rows, rows_of, shape_of
@@ -66,6 +67,7 @@ def instead(equation: Equation, paper: Paper) -> list[Block]:
     """All blocks that the claim may be replaced with: their quantities are needed to try them."""
     near: list[Block] = [d.value for d in _near(equation.claims, paper)]
     near += [rotation for _, rotation in _frames(equation, paper)]
+    near += [other for meant in equation.meant for _, other in meant.names]
     return near if equation.product is None else [*near, pose_of(equation.product.steps)]
 
 
@@ -125,9 +127,11 @@ def _near(claim: Block, paper: Paper) -> list[Definition]:
     own, home = claimed(claim, paper), _home(claim, paper)
     if own is None or home is None or (isinstance(claim, s.Scalar) and claim is not own.value):
         return []
+    opened = indices(claim)
     return [
         d for d in home.definitions.values()
         if d is not own and d.unit == own.unit and not isinstance(d.value, s.Condition)
+        and indices(d.value) <= opened
     ]  # fmt: skip
 
 

@@ -10,10 +10,12 @@ from typing import Any
 import numpy as np
 
 from armillary.algebra import scalar as s
+from armillary.algebra.index import Index
 from armillary.derivation.quantity import Quantity
 from armillary.derivation.units import RADIAN, UnitError, UnitOf
 from armillary.verify.audit import points as p
-from armillary.verify.audit.numeric import Digits, Doubles, Leaf, Values
+from armillary.verify.audit.numbers import Digits, Doubles
+from armillary.verify.audit.numeric import Leaf, Values
 
 CLOSE = 1e-9
 EQUAL = 1e-40
@@ -92,7 +94,7 @@ class Bench:
         return first, second
 
     @cached_property
-    def first_few(self) -> dict[Leaf, Any]:
+    def first_few(self) -> dict[Leaf | Index, Any]:
         """The random ones of the points with 50 digits."""
         return p.exact(p.first(self._few, _EXACT), DIGITS)
 

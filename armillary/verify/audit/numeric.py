@@ -2,6 +2,9 @@
 
 This walks the derivation's own nodes and knows nothing of programs, so it checks them from outside.
 A node is met once: copies of an expression that differ in one place share the rest with it.
+
+At each point an index stands at one part, which is drawn as the values of the quantities are: what
+is per part is then one number there, and a sum over the parts looks at all of them.
 """
 
 from __future__ import annotations
@@ -9,80 +12,33 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from functools import singledispatchmethod
-from typing import Any, Protocol
+from typing import Any
 
-import mpmath
 import numpy as np
 import sympy
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
+from armillary.algebra.index import Index
+from armillary.algebra.indexed import (
+    AnyOf,
+    At,
+    Closing,
+    OneLike,
+    Table,
+    Total,
+    VectorAt,
+    VectorTotal,
+    children,
+)
+from armillary.algebra.iteration import Iterated, Iteration
 from armillary.algebra.rotation import Elementary, RotationSymbol, Transposed, factors
 from armillary.derivation.quantity import Constant
+from armillary.verify.audit.numbers import Numbers
 
-DIGITS = 50
 Leaf = s.Symbol | v.VectorSymbol | RotationSymbol
 Triple = tuple[Any, Any, Any]
-
-
-class Numbers(Protocol):
-    """The functions of one number system, on arrays or on single numbers."""
-
-    sin: Any
-    cos: Any
-    sqrt: Any
-    atan2: Any
-    divide: Any
-
-    def number(self, exact: sympy.Expr) -> Any: ...
-    def array(self, values: Any) -> Any: ...
-
-
-class Doubles:
-    """Double precision; what is not real, or is divided by 0, is NaN or infinite."""
-
-    sin: Any = np.sin
-    cos: Any = np.cos
-    sqrt: Any = np.sqrt
-    atan2: Any = np.arctan2
-    divide: Any = np.divide
-
-    def number(self, exact: sympy.Expr) -> Any:
-        return np.float64(sympy.N(exact, 30))
-
-    def array(self, values: Any) -> Any:
-        return np.asarray(values, dtype=float)
-
-
-class Digits:
-    """Fifty digits, on arrays of objects; what is not real is NaN.
-
-    As many again are carried, for what cancels: at a right angle 1 - sin loses 33 of them.
-    """
-
-    def __init__(self, digits: int = DIGITS) -> None:
-        self.mp = mpmath.MPContext()
-        self.mp.dps = 2 * digits
-        mp = self.mp
-
-        def root(x: Any) -> Any:
-            return mp.sqrt(x) if x >= 0 else mp.nan
-
-        def quotient(x: Any, y: Any) -> Any:
-            return x / y if y != 0 else mp.nan
-
-        self.sin: Any = np.frompyfunc(mp.sin, 1, 1)
-        self.cos: Any = np.frompyfunc(mp.cos, 1, 1)
-        self.sqrt: Any = np.frompyfunc(root, 1, 1)
-        self.atan2: Any = np.frompyfunc(mp.atan2, 2, 1)
-        self.divide: Any = np.frompyfunc(quotient, 2, 1)
-        self._mpf = np.frompyfunc(mp.mpf, 1, 1)
-
-    def number(self, exact: sympy.Expr) -> Any:
-        return self.mp.mpf(str(sympy.N(exact, self.mp.dps + 10)))
-
-    def array(self, values: Any) -> Any:
-        return self._mpf(np.asarray(values, dtype=object))
+Place = tuple[tuple[Index, int], ...]  # indices that are held at a part, by a sum around them
 
 
 _NUMBERS: dict[tuple[type, sympy.Expr], Any] = {}
@@ -93,22 +49,34 @@ class Values:
 
     Args:
         numbers: the number system.
-        leaves: scalars (n,), vectors (n, 3), rotations (n, 3, 3), by node.
+        leaves: scalars (n,), vectors (n, 3), rotations (n, 3, 3), by node; with the parts of an
+            index before the last axes. Of an index itself its part at each point (n,), from 0.
     """
 
-    def __init__(self, numbers: Numbers, leaves: Mapping[Leaf, Any]) -> None:
+    def __init__(self, numbers: Numbers, leaves: Mapping[Leaf | Index, Any]) -> None:
         self.numbers = numbers
-        self._leaves = {id(leaf): numbers.array(array) for leaf, array in leaves.items()}
-        self._held = tuple(leaves)  # their ids stay theirs
-        self.count = min((len(a) for a in self._leaves.values()), default=1)
-        self._done: dict[int, tuple[Any, Any]] = {}
+        self._leaves: dict[int, Any] = {}
+        self._parts: dict[Index, Any] = {}
+        for leaf, array in leaves.items():
+            if isinstance(leaf, Index):
+                self._parts[leaf] = np.asarray(array, dtype=int)
+            else:
+                self._leaves[id(leaf)] = numbers.array(array)
+        self._given = tuple(leaves)  # their ids stay theirs
+        self.count = min(
+            (len(a) for a in (*self._leaves.values(), *self._parts.values())), default=1
+        )
+        self._done: dict[tuple[int, Place], tuple[Any, Any]] = {}
+        self._place: Place = ()
+        self._open: dict[int, tuple[Any, frozenset[Index]]] = {}
 
     def __call__(self, node: Any) -> Any:
         """A scalar's values (n,), or one number of a constant; a vector's as three of them."""
-        known = self._done.get(id(node))
+        key = id(node), self._place_of(node)
+        known = self._done.get(key)
         if known is None:
             known = (node, self.value(node))
-            self._done[id(node)] = known
+            self._done[key] = known
         return known[1]
 
     def array(self, node: s.Scalar) -> Any:
@@ -125,6 +93,45 @@ class Values:
         finally:
             while len(self._done) > before:
                 self._done.popitem()
+
+    # -- parts of an index --------------------------------------------------------------------
+
+    def at_part(self, node: Any, over: Index, k: int) -> Any:
+        """The values of a node with an index held at one part."""
+        before, parts = self._place, self._parts
+        self._place = (*(held for held in before if held[0] != over), (over, k))
+        self._parts = {**parts, over: np.full(self.count, k)}
+        try:
+            return self(node)
+        finally:
+            self._place, self._parts = before, parts
+
+    def _place_of(self, node: Any) -> Place:
+        """The held indices that a node is open in."""
+        if not self._place:
+            return ()
+        opened = self._opened(node)
+        return tuple(held for held in self._place if held[0] in opened)
+
+    def _opened(self, node: Any) -> frozenset[Index]:
+        known = self._open.get(id(node))
+        if known is None:
+            known = node, self._opened_anew(node)
+            self._open[id(node)] = known
+        return known[1]
+
+    def _opened_anew(self, node: Any) -> frozenset[Index]:
+        per = getattr(node, "per", None)
+        if isinstance(per, Index):
+            return frozenset({per})
+        inner = frozenset[Index]().union(*map(self._opened, children(node)))
+        return inner - {node.over} if isinstance(node, Closing) else inner
+
+    def _of_part(self, array: Any, over: Index) -> Any:
+        """Of values for every part (n, parts, ...), those of the part at each point."""
+        return array[np.arange(len(array)), self._parts[over]]
+
+    # -- nodes --------------------------------------------------------------------------------
 
     @singledispatchmethod
     def value(self, node: Any) -> Any:
@@ -145,7 +152,40 @@ class Values:
     def _(self, node: s.Symbol) -> Any:
         if isinstance(node, Constant) and id(node) not in self._leaves:
             return self.numbers.number(node.value)
-        return self._leaves[id(node)]
+        array, per = self._leaves[id(node)], getattr(node, "per", None)
+        return array if per is None else self._of_part(array, per)
+
+    @value.register
+    def _(self, node: Table) -> Any:
+        listed = np.array([self.numbers.number(exact) for exact in node.values])
+        return listed[self._parts[node.per]]
+
+    @value.register
+    def _(self, node: OneLike) -> Any:
+        return self(s.ONE)
+
+    @value.register
+    def _(self, node: Total) -> Any:
+        return sum(self.at_part(node.term, node.over, k) for k in range(node.over.size))
+
+    @value.register
+    def _(self, node: At | VectorAt) -> Any:
+        return self.at_part(node.term, node.over, node.place)
+
+    @value.register
+    def _(self, node: Iterated) -> Any:
+        return self(node.iteration)[node.slot]
+
+    @value.register
+    def _(self, node: Iteration) -> list[Any]:
+        """The unknowns after the last turn; each turn forgets the values of the one before."""
+        found = [self.array(start) for start in node.start]
+        for _ in range(node.turns.size):
+            turn = Values(self.numbers, {})
+            turn.count, turn._parts = self.count, self._parts
+            turn._leaves = {**self._leaves, **dict(zip(map(id, node.unknowns), found, strict=True))}
+            found = [turn.array(value) for value in node.following]
+        return found
 
     @value.register
     def _(self, node: s.Add) -> Any:
@@ -214,6 +254,11 @@ class Values:
         return ~self(node.argument)
 
     @value.register
+    def _(self, node: AnyOf) -> Any:
+        parts = [self.at_part(node.term, node.over, k) for k in range(node.over.size)]
+        return np.logical_or.reduce(np.broadcast_arrays(*parts))
+
+    @value.register
     def _(self, node: v.Components) -> Triple:
         x, y, z = node.components
         return self(x), self(y), self(z)
@@ -226,8 +271,16 @@ class Values:
 
     @value.register
     def _(self, node: v.VectorSymbol) -> Triple:
-        array = self._leaves[id(node)]
+        array, per = self._leaves[id(node)], getattr(node, "per", None)
+        if per is not None:
+            array = self._of_part(array, per)
         return array[:, 0], array[:, 1], array[:, 2]
+
+    @value.register
+    def _(self, node: VectorTotal) -> Triple:
+        parts = [self.at_part(node.term, node.over, k) for k in range(node.over.size)]
+        x, y, z = (sum(part[i] for part in parts) for i in range(3))
+        return x, y, z
 
     @value.register
     def _(self, node: v.VectorSum) -> Triple:

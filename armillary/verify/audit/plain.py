@@ -5,12 +5,16 @@ from __future__ import annotations
 from functools import singledispatch
 from typing import Any
 
+import sympy
+
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.algebra.direction import OfDirection
+from armillary.algebra.indexed import AnyOf, At, Total, VectorAt, VectorTotal
 from armillary.algebra.rotation import Elementary, Rotation, RotationReference, factors
 
 _SUM, _SIGNED, _PRODUCT, _ATOM = range(4)
+_FRACTION = 100  # the least denominator that is not told as a fraction
 Text = tuple[str, int]
 
 
@@ -31,8 +35,16 @@ def _text(node: Any) -> Text:
 
 @_text.register
 def _(node: s.Number) -> Text:
-    text = str(node.value)
-    return text, _ATOM if text.isalnum() else _SUM
+    text = _decimal(node.value) or str(node.value)
+    return text, _ATOM if text.replace(".", "").isalnum() else _SUM
+
+
+def _decimal(value: sympy.Expr) -> str:
+    """A fraction that papers write with a point; empty for any other number."""
+    if not isinstance(value, sympy.Rational) or value.q < _FRACTION:
+        return ""
+    text = str(sympy.Float(value, 15).round(12)).rstrip("0")
+    return text if sympy.Rational(text) == value else ""
 
 
 @_text.register
@@ -91,6 +103,22 @@ def _(node: s.ArcTangent) -> Text:
 @_text.register
 def _(node: s.ArcSine) -> Text:
     return f"arcsin({plain(node.argument)})", _ATOM
+
+
+@_text.register
+def _(node: s.ArcCosine) -> Text:
+    return f"arccos({plain(node.argument)})", _ATOM
+
+
+@_text.register
+def _(node: At | VectorAt) -> Text:
+    return f"{_inside(node.term, _ATOM)}_{node.place + 1}", _ATOM
+
+
+@_text.register
+def _(node: Total | VectorTotal | AnyOf) -> Text:
+    word = "any" if isinstance(node, AnyOf) else "sum"
+    return f"{word}({plain(node.term)}, {node.over.name})", _ATOM
 
 
 @_text.register

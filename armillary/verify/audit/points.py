@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import product
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from armillary.algebra import scalar as s
+from armillary.algebra.index import Index
+from armillary.algebra.indexed import indices
 from armillary.derivation.quantity import (
     AnyQuantity,
     Constant,
@@ -20,11 +24,13 @@ from armillary.derivation.quantity import (
 )
 from armillary.derivation.symbols import leaves
 from armillary.derivation.units import RADIAN
-from armillary.verify.audit.numeric import Digits, Doubles, Leaf, Values
+from armillary.verify.audit.numbers import Digits, Doubles
+from armillary.verify.audit.numeric import Leaf, Values
 from armillary.verify.points import random_points
 
 Array = NDArray[np.float64]
-Sample = dict[Leaf, Array]
+Known = AnyQuantity | Index  # what differs from point to point
+Sample = dict[Leaf | Index, Array]
 
 _DEGREES = (30, 45, 60, 20, 10, 75, -30, -60, 120, 150)
 _PLAIN = (1.0, 0.5, 2.0, 0.2, 0.1, -1.0, 10.0)
@@ -45,24 +51,51 @@ _ROTATIONS = (
 _TRIED = 3000  # points drawn where a condition narrows the range
 
 
-def quantities(*expressions: object) -> list[AnyQuantity]:
-    """The quantities that expressions stand on, constants apart."""
+def quantities(*expressions: object) -> list[Known]:
+    """The quantities that expressions stand on, constants apart, and the indices left open."""
     kinds = (Quantity, VectorQuantity, RotationQuantity)
-    found = [q for q in leaves(expressions) if not isinstance(q, Constant)]
-    return [q for q in found if isinstance(q, kinds)]
+    found = leaves(expressions)
+    known: list[Known] = [q for q in found if isinstance(q, kinds) and not isinstance(q, Constant)]
+    opened = {index for expression in expressions for index in indices(expression)}
+    # An indexed quantity is drawn for all its parts, one of which is looked at.
+    opened |= {q.per for q in known if (isinstance(q, (Quantity, VectorQuantity))) and q.per}
+    return known + sorted(opened, key=lambda index: index.name)
 
 
-def sample(known: Sequence[AnyQuantity], n: int, seed: int) -> Sample:
+def sample(known: Sequence[Known], n: int, seed: int) -> Sample:
     """`n` random points of the working ranges; two quantities of one name get streams apart."""
     made: Sample = {}
     names: dict[str, int] = {}
     for q in known:
         met = names[q.name] = names.get(q.name, -1) + 1
-        made[q] = random_points([q], n, seed + 1000 * met)[q.name]
+        if isinstance(q, Index):
+            stream = np.random.default_rng([seed, zlib.crc32(q.name.encode())])
+            made[q] = stream.integers(q.size, size=n).astype(float)
+        else:
+            made[q] = random_points([q], n, seed + 1000 * met)[q.name]
     return made
 
 
-def awkward(known: Sequence[AnyQuantity], seed: int, of: Sequence[AnyQuantity]) -> Sample:
+def everywhere(known: Sequence[Known], n: int, seed: int) -> Sample:
+    """At least `n` points at every part of the indices.
+
+    One scalar alone is stepped from end to end of its range; several are drawn.
+    """
+    moving = [q for q in known if not isinstance(q, Index)]
+    over = [index for index in known if isinstance(index, Index)]
+    if len(moving) == 1 and isinstance(moving[0], Quantity) and moving[0].per is None:
+        few: Sample = {moving[0]: np.linspace(*moving[0].facts.range, n)}
+    else:
+        few = joined(sample(moving, n, seed), awkward(moving, seed + 1, moving))
+    places = list(product(*(range(index.size) for index in over)))
+    stepped = max(1, count(few))
+    made: Sample = {q: np.concatenate([array] * len(places)) for q, array in few.items()}
+    for k, index in enumerate(over):
+        made[index] = np.repeat([float(place[k]) for place in places], stepped)
+    return made
+
+
+def awkward(known: Sequence[Known], seed: int, of: Sequence[Known]) -> Sample:
     """One scalar at a time, of some, at 0, a quarter or half turn, or an end of its range."""
     rows = [(q, x) for q in of if isinstance(q, Quantity) for x in _awkward(q)]
     made = sample(known, len(rows), seed)
@@ -71,14 +104,14 @@ def awkward(known: Sequence[AnyQuantity], seed: int, of: Sequence[AnyQuantity]) 
     return made
 
 
-def ends(known: Sequence[AnyQuantity], n: int, seed: int) -> Sample:
+def ends(known: Sequence[Known], n: int, seed: int) -> Sample:
     """`n` points at which every scalar is at an awkward value, most of them ends of its range."""
     made = sample(known, n, seed)
     stream = np.random.default_rng(seed)
     for q in known:
         if isinstance(q, Quantity):
             low, high = q.facts.range
-            made[q] = stream.choice([low, high, *_awkward(q)], n)
+            made[q] = stream.choice([low, high, *_awkward(q)], made[q].shape)
     return made
 
 
@@ -99,8 +132,8 @@ def where(points: Sample, given: s.Condition | None) -> Sample:
 
 
 def usual(
-    known: Sequence[AnyQuantity],
-    of: Sequence[AnyQuantity],
+    known: Sequence[Known],
+    of: Sequence[Known],
     n: int,
     seed: int,
     given: s.Condition | None,
@@ -120,10 +153,13 @@ def first(points: Sample, n: int) -> Sample:
     return {q: array[:n] for q, array in points.items()}
 
 
-def exact(points: Sample, digits: Digits) -> dict[Leaf, Any]:
+def exact(points: Sample, digits: Digits) -> dict[Leaf | Index, Any]:
     """The same points with 50 digits; directions are brought to norm 1 again, to all of them."""
-    made: dict[Leaf, Any] = {}
+    made: dict[Leaf | Index, Any] = {}
     for q, array in points.items():
+        if isinstance(q, Index):
+            made[q] = array
+            continue
         made[q] = digits.array(array)
         if isinstance(q, RotationQuantity):
             x = _normalised(made[q][:, :, 0], digits)
@@ -141,8 +177,8 @@ def _normalised(vectors: Any, digits: Digits) -> Any:
 
 
 def with_small(
-    points: Mapping[Leaf, Any], small: Sequence[Quantity], scale: Any
-) -> dict[Leaf, Any]:
+    points: Mapping[Leaf | Index, Any], small: Sequence[Quantity], scale: Any
+) -> dict[Leaf | Index, Any]:
     """The same points with the small quantities scaled down."""
     return {q: array * scale if q in small else array for q, array in points.items()}
 
@@ -156,25 +192,23 @@ def with_value(points: Sample, q: Leaf, value: float) -> Sample:
 class Round:
     """A point with round inputs."""
 
-    values: Mapping[Leaf, Any]
+    values: Mapping[Leaf | Index, Any]
 
     def told(self) -> dict[str, float | list[float]]:
-        """By name: numbers, lists of three, and rotations as lists of nine."""
+        """By name: numbers, lists of three, rotations as lists of nine, and parts from 1."""
         made: dict[str, float | list[float]] = {}
         for q, value in self.values.items():
-            array = np.asarray(value)
+            array = np.asarray(value) + (1 if isinstance(q, Index) else 0)
             made[q.name] = float(array) if array.ndim == 0 else array.ravel().tolist()
         return made
 
 
-def round_points(
-    known: Sequence[AnyQuantity], small: Sequence[Quantity], n: int = 60
-) -> list[Round]:
+def round_points(known: Sequence[Known], small: Sequence[Quantity], n: int = 60) -> list[Round]:
     """Points made of round values, the plainest first."""
     stream = np.random.default_rng(7)
     made: list[Round] = []
     for k in range(n):
-        values: dict[Leaf, Any] = {}
+        values: dict[Leaf | Index, Any] = {}
         for i, q in enumerate(known):
             choices = _round(q, small)
             pick = i + k if k < 3 else int(stream.integers(len(choices)))
@@ -183,13 +217,13 @@ def round_points(
     return made
 
 
-def stacked(points: Sequence[Round], known: Sequence[AnyQuantity]) -> Sample:
+def stacked(points: Sequence[Round], known: Sequence[Known]) -> Sample:
     """Round points as arrays."""
     return {q: np.array([p.values[q] for p in points], dtype=float) for q in known}
 
 
 def worst_round(
-    known: Sequence[AnyQuantity],
+    known: Sequence[Known],
     small: Sequence[Quantity],
     given: s.Condition | None,
     error: Callable[[Sample], Array],
@@ -204,13 +238,13 @@ def worst_round(
     return points[int(np.argmax(errors >= largest / 2))] if largest > 0 else None
 
 
-def is_angle(q: Leaf) -> bool:
+def is_angle(q: Leaf | Index) -> bool:
     """Whether a quantity is an angle in radians."""
     unit = getattr(q, "unit", None)
     return isinstance(q, Quantity) and unit is not None and unit.agrees(RADIAN) and unit.angle == 1
 
 
-def _holds(point: Round, known: Sequence[AnyQuantity], given: s.Condition | None) -> bool:
+def _holds(point: Round, known: Sequence[Known], given: s.Condition | None) -> bool:
     return given is None or bool(count(where(stacked([point], known), given)))
 
 
@@ -226,8 +260,19 @@ def _awkward(q: Quantity) -> list[float]:
     return [x for x in dict.fromkeys((*wanted, low, high)) if low <= x <= high]
 
 
-def _round(q: AnyQuantity, small: Sequence[Quantity]) -> list[Any]:
-    """Round values inside the range of one quantity."""
+def _round(q: Known, small: Sequence[Quantity]) -> list[Any]:
+    """Round values inside the range of one quantity; for each of its parts, if it has some."""
+    if isinstance(q, Index):
+        return list(range(q.size))
+    per = q.per if isinstance(q, (Quantity, VectorQuantity)) else None
+    if per is not None:
+        choices = _round_values(q, small)
+        count = len(choices)
+        return [[choices[(i + k) % count] for k in range(per.size)] for i in range(count)]
+    return _round_values(q, small)
+
+
+def _round_values(q: AnyQuantity, small: Sequence[Quantity]) -> list[Any]:
     if isinstance(q, RotationQuantity):
         return list(_ROTATIONS)
     if isinstance(q, VectorQuantity):

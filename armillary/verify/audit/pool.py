@@ -8,6 +8,7 @@ from typing import Any
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
+from armillary.algebra.indexed import indices
 from armillary.derivation.paper import Paper
 from armillary.derivation.quantity import Constant, Quantity
 from armillary.derivation.symbols import leaves
@@ -47,6 +48,9 @@ class Pool:
             found += [*paper.quantities.values()]
             found += [d.value for d in paper.definitions.values()]
         found += [rate for rate in map(_rate_of, found) if rate is not None]
+        # A print that stands for one part says nothing of parts.
+        opened = indices(met)
+        found = [node for node in found if indices(node) <= opened]
         once = {id(node): node for node in found}
         near = {id(node) for node in leaves(met)} | {id(n) for n in parts(printed)}
         self.met = [n for n in once.values() if isinstance(n, s.Scalar) and id(n) in near]

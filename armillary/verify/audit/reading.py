@@ -15,11 +15,12 @@ from armillary.verify.audit import points as p
 from armillary.verify.audit.changes import Changes
 from armillary.verify.audit.claims import instead
 from armillary.verify.audit.compare import Bench
-from armillary.verify.audit.numeric import Doubles, Values
+from armillary.verify.audit.numbers import Doubles
+from armillary.verify.audit.numeric import Values
 from armillary.verify.audit.order import mixed_order
 from armillary.verify.audit.pool import Pool
 from armillary.verify.audit.properties import not_orthonormal
-from armillary.verify.audit.repairs import entry_repair
+from armillary.verify.audit.repairs import entry_repair, repeated
 from armillary.verify.audit.sides import Place, Sides, sides_of
 from armillary.verify.audit.special import special_repair
 from armillary.verify.audit.verdict import Counterexample, Entry, Read, Repair, Verdict
@@ -112,6 +113,7 @@ def _entry_repairs(
         repair = entry_repair(
             sides.bench, printed, derived, changes, latex, deep=failed < _PATIENCE
         )
+        repair = repair or repeated(sides, place)
         if repair is None:
             failed += 1
         else:

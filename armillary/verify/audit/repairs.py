@@ -10,6 +10,7 @@ from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.verify.audit.changes import RANKS, Change, Changes
 from armillary.verify.audit.compare import Bench
+from armillary.verify.audit.sides import Place, Sides, told
 from armillary.verify.audit.verdict import Repair
 
 LIKELY = 3  # two changes at once are tried of the likely ranks only
@@ -39,6 +40,17 @@ def entry_repair(
         outcome = bench.tried(pair[1].node, derived)
         if outcome.holds:
             return _repair(pair, outcome.order, latex)
+    return None
+
+
+def repeated(sides: Sides, place: Place) -> Repair | None:
+    """Another entry of what is derived, if that is what is printed at a place."""
+    printed, _ = sides.pair(place)
+    if isinstance(printed, s.Number):  # a 0 or a 1 is nothing that one would copy
+        return None
+    for other in sides.places:
+        if other != place and sides.bench.tried(printed, sides.pair(other)[1]).exact:
+            return Repair("copy", f"repeats {told([other])}", "", 1)
     return None
 
 

@@ -1,9 +1,8 @@
-"""Claims of a paper's text: properties, negligible quantities, bounds, combinations of turns."""
+"""Claims of a paper's text: properties, negligible quantities, combinations of turns."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 import numpy as np
 
@@ -13,7 +12,6 @@ from armillary.algebra.derivative import Differentiator, partial_seed
 from armillary.derivation.entries import rows_of
 from armillary.derivation.paper import (
     PROPERTIES,
-    Between,
     Needed,
     Negligible,
     Paper,
@@ -24,10 +22,11 @@ from armillary.derivation.quantity import Quantity
 from armillary.verify.audit import points as p
 from armillary.verify.audit import properties
 from armillary.verify.audit.compare import CLOSE
-from armillary.verify.audit.numeric import Doubles, Values
+from armillary.verify.audit.numbers import Doubles
+from armillary.verify.audit.numeric import Values
 from armillary.verify.audit.sides import each
 from armillary.verify.audit.verdict import Counterexample, Finding, Read, Repair, Verdict
-from armillary.verify.audit.words import at, number, unit_of
+from armillary.verify.audit.words import number
 
 _POINTS = 2000
 _PART = 0.1  # an effect below this part of another is negligible beside it
@@ -41,7 +40,7 @@ def word(paper: Paper, said: Word) -> Finding:
     sizes = {w: [_violation(w, matrix) for _, matrix in said.of] for w in PROPERTIES}
     own = max(sizes[said.word])
     if own <= CLOSE:
-        return _finding(paper, said.key, Verdict.HOLDS, said.quote, f"They are {said.word}.")
+        return finding_of(paper, said.key, Verdict.HOLDS, said.quote, f"They are {said.word}.")
     told = [
         _matrix_told(name, said.word, matrix)
         for (name, matrix), size in zip(said.of, sizes[said.word], strict=True)
@@ -50,7 +49,7 @@ def word(paper: Paper, said: Word) -> Finding:
     says = f"They are not {said.word}: {'; '.join(told)}."
     meant = min(PROPERTIES, key=lambda w: max(sizes[w]))
     if min(sizes[meant]) > CLOSE or max(sizes[meant]) > _FITS * own:
-        return _finding(paper, said.key, Verdict.WRONG, said.quote, says)
+        return finding_of(paper, said.key, Verdict.WRONG, said.quote, says)
     names = [name for name, _ in said.of]
     off = [
         f"{name} by up to {number(size)}"
@@ -61,7 +60,7 @@ def word(paper: Paper, said: Word) -> Finding:
         f", though it is missed by {', '.join(off)}." if off else "."
     )
     repair = Repair("word", f"{meant} for {said.word}", "", 1)
-    return _finding(paper, said.key, Verdict.MISPRINT, said.quote, says, repair)
+    return finding_of(paper, said.key, Verdict.MISPRINT, said.quote, says, repair)
 
 
 def _violation(word: str, matrix: object) -> float:
@@ -87,13 +86,13 @@ def negligible(paper: Paper, said: Negligible) -> Finding:
     moved = _moved(effects, said.small)
     if own <= _PART * min(others, default=np.inf):
         says = f"{said.small.name} may be neglected beside the others. {moved}"
-        return _finding(paper, said.key, Verdict.HOLDS, said.quote, says)
+        return finding_of(paper, said.key, Verdict.HOLDS, said.quote, says)
     ratio = own / max(others, default=own)
     says = (
         f"{said.small.name} is not negligible: its effect is {number(ratio)} times "
         f"the largest of the others. {moved}"
     )
-    return _finding(paper, said.key, Verdict.WRONG, said.quote, says)
+    return finding_of(paper, said.key, Verdict.WRONG, said.quote, says)
 
 
 def needed(paper: Paper, said: Needed) -> Finding:
@@ -103,8 +102,8 @@ def needed(paper: Paper, said: Needed) -> Finding:
     idle = [name for name, size in effects.items() if size <= _PART * _SIZE]
     if idle:
         says = f"It hardly feels {' and '.join(idle)}. {moved}"
-        return _finding(paper, said.key, Verdict.WRONG, said.quote, says)
-    return _finding(paper, said.key, Verdict.HOLDS, said.quote, moved)
+        return finding_of(paper, said.key, Verdict.WRONG, said.quote, says)
+    return finding_of(paper, said.key, Verdict.HOLDS, said.quote, moved)
 
 
 def _moved(effects: Mapping[str, float], small: Quantity) -> str:
@@ -126,47 +125,6 @@ def _effects(of: s.Scalar | v.Vector, small: Sequence[Quantity]) -> dict[str, fl
     return found
 
 
-def between(paper: Paper, said: Between) -> Finding:
-    """Least and largest value over the working ranges against the bounds."""
-    known = p.quantities(said.value, said.low, said.high)
-    points = p.joined(p.sample(known, _POINTS, 5), p.awkward(known, 6, known))
-    values = Values(Doubles(), points)
-    value, low, high = (values.array(x) for x in (said.value, said.low, said.high))
-    scale = max(properties.largest(np.abs(value)), 1e-12)
-    outside = np.maximum(low - value, value - high)
-    unit = unit_of(said.value)
-    says = f"Over the working ranges {said.words} is {_span(value, value, unit)}"
-    if properties.largest(outside) <= CLOSE * scale:
-        return _finding(paper, said.key, Verdict.HOLDS, said.quote, f"{says}.")
-    says += f"; stated is {_span(low, high, unit)}."
-    example = _outside(said)
-    if example is not None and example.at:
-        says += f" {at(example, unit)}"
-    return _finding(paper, said.key, Verdict.WRONG, said.quote, says, example=example, unit=unit)
-
-
-def _span(low: Any, high: Any, unit: str) -> str:
-    """The least and the largest of some values: "0 to 3.14 rad"."""
-    least, most = number(float(np.nanmin(low))), number(float(np.nanmax(high)), unit)
-    return most if number(float(np.nanmax(high))) == least else f"{least} to {most}"
-
-
-def _outside(said: Between) -> Counterexample | None:
-    known = p.quantities(said.value, said.low, said.high)
-
-    def beyond(points: p.Sample) -> Any:
-        values = Values(Doubles(), points)
-        value, low, high = (values.array(x) for x in (said.value, said.low, said.high))
-        return np.maximum(0.0, np.maximum(low - value, value - high))
-
-    where = p.worst_round(known, (), None, beyond)
-    if where is None:
-        return None
-    values = Values(Doubles(), p.stacked([where], known))
-    value, low, high = (float(values.array(x)[0]) for x in (said.value, said.low, said.high))
-    return Counterexample(where.told(), low if value < low else high, value)
-
-
 def spans(paper: Paper, said: Spans) -> Finding:
     """The rank of the map from the angles' rates to the angular velocity."""
     columns = []
@@ -177,12 +135,12 @@ def spans(paper: Paper, said: Spans) -> Finding:
     _, most = properties.rank(Values(Doubles(), p.sample(known, 50, 5)), columns)
     if most == 3:
         says = "The three rates give every angular velocity: rank 3, but for single values."
-        return _finding(paper, said.key, Verdict.HOLDS, said.quote, says)
+        return finding_of(paper, said.key, Verdict.HOLDS, said.quote, says)
     says = (
         f"The three rates give angular velocities of rank {most} only, wherever the angles stand: "
         "the turns reach a surface of orientations, not all."
     )
-    return _finding(paper, said.key, Verdict.WRONG, said.quote, says)
+    return finding_of(paper, said.key, Verdict.WRONG, said.quote, says)
 
 
 def _values(matrix: object) -> Values:
@@ -190,7 +148,7 @@ def _values(matrix: object) -> Values:
     return Values(Doubles(), p.joined(p.sample(known, 200, 5), p.ends(known, 200, 6)))
 
 
-def _finding(
+def finding_of(
     paper: Paper,
     key: str,
     verdict: Verdict,
@@ -200,6 +158,7 @@ def _finding(
     example: Counterexample | None = None,
     unit: str = "",
 ) -> Finding:
+    """The finding on a sentence."""
     one = Read("", verdict, None, repair, (), counterexample=example)
     words = "claim of the text"
     return Finding(paper.name, key, verdict, None, words, quote, says, (), (one,), unit)

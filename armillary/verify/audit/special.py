@@ -10,7 +10,8 @@ import numpy as np
 from armillary.derivation.quantity import Quantity
 from armillary.verify.audit import points as p
 from armillary.verify.audit.compare import CLOSE
-from armillary.verify.audit.numeric import Doubles, Values
+from armillary.verify.audit.numbers import Doubles
+from armillary.verify.audit.numeric import Values
 from armillary.verify.audit.properties import largest
 from armillary.verify.audit.sides import Sides
 from armillary.verify.audit.verdict import Repair

@@ -23,9 +23,10 @@ class Repair:
     """The smallest change that makes a print hold.
 
     Attributes:
-        kind: "sign", "function", "index", "lost dot", "dot too many", "term", "lost term",
-            "factor", "number", "axis", "transposition", "order of factors", "frame",
-            "definition", "special value" or "word"; several at once are joined by "and".
+        kind: "sign", "function", "index", "lost dot", "dot too many", "lost d", "term",
+            "lost term", "factor", "number", "axis", "half turn", "transposition",
+            "order of factors", "copy", "frame", "definition", "special value" or "word"; several
+            at once are joined by "and".
         words: the change in words, from what is printed to what holds: "sin for cos of omega".
         latex: what stands there after the change; empty where the change is not of the print.
         size: number of elementary changes.

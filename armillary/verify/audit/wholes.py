@@ -34,6 +34,7 @@ class Whole:
     Attributes:
         block: the changed print where that is one expression, for its LaTeX.
         elsewhere: whether the derived side is replaced.
+        derived: the derived side, where both are replaced.
     """
 
     kind: str
@@ -42,6 +43,7 @@ class Whole:
     block: Block | None = None
     size: int = 1
     elsewhere: bool = False
+    derived: Rows | None = None
 
 
 def whole_repair(
@@ -50,7 +52,9 @@ def whole_repair(
     """The first candidate that makes all entries hold, and what is printed then."""
     places = _bad_first(sides)
     for whole in _candidates(sides, equation, paper, printed, changes):
-        if whole.elsewhere:
+        if whole.derived is not None:
+            found = sides.agrees(places, printed=whole.rows, derived=whole.derived)
+        elif whole.elsewhere:
             found = sides.agrees(places, derived=whole.rows)
         else:
             found = sides.agrees(places, printed=whole.rows)
@@ -78,6 +82,7 @@ def _candidates(
     singles = [] if is_written_out(printed) else _singles(sides, equation, printed, changes)
     for change in singles:
         yield _written(change.kind, change.words, change.node)
+    yield from _meant(equation, printed)
     claims = [
         Whole(c.kind, c.words, c.derived, size=c.size, elsewhere=True)
         for c in other_claims(sides, equation, paper)
@@ -90,6 +95,15 @@ def _candidates(
     for first, second in islice(_pairs(singles, changes), _PAIRS):
         words = f"{first.words} and {second.words}"
         yield _written(kinds_of((first, second)), words, second.node, size=2)
+
+
+def _meant(equation: Equation, printed: Block) -> Iterator[Whole]:
+    """Both sides, with all names standing for what else they may mean."""
+    for meant in equation.meant:
+        instead = {id(name): other for name, other in meant.names}
+        rows = rows_of(replaced(printed, instead))
+        derived = rows_of(replaced(equation.claims, instead))
+        yield Whole("frame", meant.words, rows, elsewhere=True, derived=derived)
 
 
 def _written(kind: str, words: str, block: Block, size: int = 1) -> Whole:

@@ -101,6 +101,9 @@ def _repaired(read: Read, names: str) -> Iterator[str]:
     for entries in alike.values():
         repair = entries[0].repair
         assert repair is not None
+        if repair.kind == "copy":
+            yield f"{_subject(entries, read)} {repair.words}."
+            continue
         holds = "holds" if len(entries) == 1 else "hold"
         yield f"{_subject(entries, read)} {holds} with {repair.words}{_then(repair, names)}."
 

@@ -6,12 +6,14 @@ import pytest
 from armillary import Chain, Derivation, Paper, X, Y, Z, cos, elementary, number, sin, sqrt, vector
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
-from armillary.verify.audit.changes import Changes, terms_of
-from armillary.verify.audit.numeric import Doubles, Values
+from armillary.verify.audit.changes import Changes
+from armillary.verify.audit.numbers import Doubles
+from armillary.verify.audit.numeric import Values
 from armillary.verify.audit.plain import plain
 from armillary.verify.audit.points import quantities, sample
 from armillary.verify.audit.pool import Pool
 from armillary.verify.audit.products import misprints, orders, pose_of
+from armillary.verify.audit.terms import terms_of
 from armillary.verify.audit.walking import parts, replaced, stands_in
 
 

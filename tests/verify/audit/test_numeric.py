@@ -21,7 +21,8 @@ from armillary import (
 from armillary.algebra import direction, rotation, scalar, vector
 from armillary.algebra.direction import AzimuthCosine, AzimuthSine, ElevationTangent
 from armillary.derivation.entries import rows_of
-from armillary.verify.audit.numeric import Digits, Doubles, Values
+from armillary.verify.audit.numbers import Digits, Doubles
+from armillary.verify.audit.numeric import Values
 from armillary.verify.audit.points import exact, quantities, sample
 from armillary.verify.exact import text_book
 from armillary.verify.points import rows_of as points_of

@@ -15,6 +15,7 @@ import sympy
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.algebra.explicit import Explicit
+from armillary.algebra.indexed import children
 from armillary.algebra.rigid import Matrix
 from armillary.algebra.rotation import RotationSymbol
 from armillary.derivation.entries import rows_of
@@ -23,6 +24,7 @@ from armillary.derivation.symbols import leaves
 from armillary.mechanism.chain import Chain
 
 LARGEST = 40  # operations of an entry that a text-book would still print
+LONGEST = 20000  # nodes of a block with every name opened: SymPy takes minutes with more
 
 
 class TooLong(Exception):
@@ -35,9 +37,17 @@ def printed_out(block: Any) -> Matrix | s.Scalar:
     Raises:
         TooLong: for what is too long, or not made of these.
     """
+    if _size(block, {}) > LONGEST:
+        raise TooLong
     explicit, names = Explicit(), _names(block)
     rows = [[_read(_short(explicit(e)), names) for e in row] for row in rows_of(block)]
     return rows[0][0] if isinstance(block, s.Scalar) else Matrix(tuple(map(tuple, rows)))
+
+
+def _size(node: object, known: dict[int, int]) -> int:
+    if id(node) not in known:
+        known[id(node)] = 1 + sum(_size(child, known) for child in children(node))
+    return known[id(node)]
 
 
 def _short(form: sympy.Expr) -> sympy.Expr:
@@ -63,6 +73,8 @@ def _read(form: sympy.Expr, names: dict[str, s.Scalar]) -> s.Scalar:
     if form.is_number:
         return s.negate(s.number(-form)) if form.could_extract_minus_sign() else s.number(form)
     if form.is_Symbol:
+        if form.name not in names:  # the result of an iteration, or one part of several
+            raise TooLong
         return names[form.name]
     if form.is_Add:
         return reduce(s.add, (_read(part, names) for part in form.as_ordered_terms()))
