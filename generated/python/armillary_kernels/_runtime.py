@@ -5,6 +5,7 @@ Works on any array library that array-api-compat knows: NumPy, PyTorch, JAX, das
 """
 
 import math
+from collections.abc import Iterator
 from typing import Any
 
 import array_api_compat
@@ -50,7 +51,8 @@ class Call:
         arguments: for each input (name, value, low, high, safe) and for a vector a sixth entry:
             whether it must have norm 1. A rotation has nine entries in `safe`, row-major, and its
             columns must be orthonormal. `safe` stands in where the input is refused, so that the
-            arithmetic raises no warning there.
+            arithmetic raises no warning there. A seventh entry is the shape of what runs over an
+            index; the kernel takes its parts as one tuple.
     """
 
     def __init__(self, *arguments: tuple[Any, ...]) -> None:
@@ -91,13 +93,17 @@ class Call:
         value = self.xp.astype(self.xp.asarray(value), self.dtype)
         if len(bounds) == 3:
             return [value]
+        if len(bounds) == 5:
+            return self._parts(value, name, bounds[4], "an array")
         if len(bounds[2]) == 9:
-            if value.ndim < 2 or tuple(value.shape[-2:]) != (3, 3):
-                raise ValueError(f"{name} is a rotation: its last two axes must have length 3")
-            return [value[..., i, j] for i in range(3) for j in range(3)]
-        if value.ndim == 0 or value.shape[-1] != 3:
-            raise ValueError(f"{name} is a vector: its last axis must have length 3")
-        return [value[..., k] for k in range(3)]
+            return self._parts(value, name, (3, 3), "a rotation")
+        return self._parts(value, name, (3,), "a vector")
+
+    def _parts(self, value: Any, name: str, shape: tuple[int, ...], kind: str) -> list[Any]:
+        """The numbers on the last axes, row-major."""
+        if value.ndim < len(shape) or tuple(value.shape[-len(shape) :]) != shape:
+            raise ValueError(f"{name} is {kind}: {lengths(shape)}")
+        return [value[(..., *place)] for place in np.ndindex(*shape)]
 
     def _guard(self, arguments: tuple[tuple[Any, ...], ...], values: list[Any]) -> None:
         xp, position = self.xp, 0
@@ -114,9 +120,8 @@ class Call:
                     self._refuse_form(group, terms, value, tolerance)
             checked += list(zip(group, _tuple(argument[4]), strict=True))
         fine = self.status >= 0
-        self.values: tuple[Any, ...] = tuple(
-            xp.where(fine, v, self._full(safe)) for v, safe in checked
-        )
+        values = [xp.where(fine, v, self._full(safe)) for v, safe in checked]
+        self.values: tuple[Any, ...] = tuple(_grouped(arguments, values))
 
     def _refuse_form(self, parts: Any, terms: Any, value: float, tolerance: float) -> None:
         """A sum of signed products that must be near a value; wild parts are refused by now."""
@@ -146,9 +151,14 @@ class Call:
 
     def select(self, condition: Any, then: Any, otherwise: Any) -> Any:
         """`then` where the condition holds, else `otherwise`; numbers are spread."""
-        return self.xp.where(condition, self._spread(then), self._spread(otherwise))
+        return self.xp.where(condition, self.spread(then), self.spread(otherwise))
 
-    def _spread(self, value: Any) -> Any:
+    @property
+    def never(self) -> Any:
+        """A condition that holds nowhere."""
+        return self._zero > 0
+
+    def spread(self, value: Any) -> Any:
         """A number at every point; adding it to zeros would lose the sign of -0.0."""
         return self._full(value) if isinstance(value, (int, float)) else value
 
@@ -161,11 +171,32 @@ class Call:
         """The entries on trailing axes, NaN where the status is negative."""
         refused = self.status < 0
         nan = self._full(float("nan"))
-        filled = [self.xp.where(refused, nan, self._spread(entry)) for entry in entries]
+        filled = [self.xp.where(refused, nan, self.spread(entry)) for entry in entries]
         if shape == ():
             return filled[0]
         stacked = self.xp.stack(filled, axis=-1)
         return self.xp.reshape(stacked, (*self._zero.shape, *shape))
+
+
+def lengths(shape: tuple[int, ...]) -> str:
+    """What is asked of the last axes of an array."""
+    if shape == (3, 3):
+        return "its last two axes must have length 3"
+    if len(shape) == 1:
+        return f"its last axis must have length {shape[0]}"
+    return f"its last axes must have the lengths {', '.join(map(str, shape))}"
+
+
+def _grouped(arguments: tuple[tuple[Any, ...], ...], values: list[Any]) -> Iterator[Any]:
+    """The numbers one by one, those of an array that runs over an index together."""
+    position = 0
+    for argument in arguments:
+        group = values[position : position + len(_tuple(argument[4]))]
+        position += len(group)
+        if len(argument) == 7:
+            yield tuple(group)
+        else:
+            yield from group
 
 
 def _tuple(safe: Any) -> tuple[Any, ...]:

@@ -1,0 +1,136 @@
+"""Where the sunlight goes: past the focus by a little, or into it with other normals."""
+
+from armillary import Y, Z, absolute, atan2, elementary, number, solve, substitute, vector
+
+from .dish import c_dish
+from .facet import H_T_P, M_P, from_base, half_turn, n_P, psi, z_M
+from .half_tilt import M_q, h_q, here, placed_at, q_x, q_y, q_z, reach_q
+from .symbols import beta, d, dist, f, receiver_tolerance, z_O
+
+STEPS = 5
+
+c_P = d.define(
+    "c_P",
+    half_turn(elementary(Z, psi) @ elementary(Y, beta) @ vector(0, 0, 1)),
+    because="Seen from the base.",
+    meaning="unit vector along the dish's axis, to the sun, {P}",
+    latex=r"\mathbf{c}",
+)
+d.identity("it is the dish's axis", from_base(c_P), c_dish)
+focus = d.define(
+    "focus",
+    vector(dist, number(0), z_O) + f * c_P,
+    because="The receiver stands on the dish's axis at the focal length from the vertex, which "
+    "stays above the origin of {H} while the dish turns about it.",
+    meaning="the focus, {P}",
+    latex=r"\mathbf{F}_P",
+)
+
+# ---- with the normals of the dish ----
+
+way = d.define(
+    "way",
+    focus - M_P,
+    because="From the facet's point, where the rods have it.",
+    meaning="vector from the facet's point to the focus, {P}",
+    latex=r"\mathbf{s}",
+)
+ray = d.define(
+    "ray",
+    2 * c_P.dot(n_P) * n_P - c_P,
+    because="The part along the normal comes back, the part across goes on.",
+    meaning="direction of the central ray after the facet, {P}",
+    latex=r"\mathbf{b}",
+)
+_across = ray.cross(way).norm()
+miss = d.define(
+    "miss",
+    _across,
+    because="The ray has length 1.",
+    meaning="distance by which the central ray passes the focus",
+    latex=r"\epsilon",
+)
+miss_angle = d.define(
+    "miss_angle",
+    atan2(_across, ray.dot(way)),
+    because="Seen from the facet.",
+    meaning="angle between the central ray and the way to the focus, in [0, pi]",
+    latex=r"\angle\epsilon",
+)
+
+# ---- with normals that halve the angle between sun and receiver ----
+
+way_q = d.define(
+    "way_q",
+    focus - M_q,
+    because="The facet steps aside as it tilts, so the way depends on what is looked for.",
+    meaning="vector from the facet's point to the focus by the half tilt, {P}",
+    latex=r"\mathbf{s}_q",
+)
+m = d.define(
+    "m",
+    way_q + way_q.norm() * c_P,
+    because="Two vectors of one length add up to their bisector.",
+    meaning="a vector along the bisector of the directions to sun and receiver, {P}",
+    latex=r"\mathbf{m}",
+)
+off_x = d.define(
+    "off_x",
+    q_x * (m.norm() + m.z) - m.x,
+    because="The half tilt of m is m_x / (|m| + m_z), and so for y.",
+    meaning="what vanishes where the normal is the bisector, x",
+    latex=r"\Delta_x",
+)
+off_y = d.define(
+    "off_y",
+    q_y * (m.norm() + m.z) - m.y,
+    because="The half tilt of m is m_x / (|m| + m_z), and so for y.",
+    meaning="what vanishes where the normal is the bisector, y",
+    latex=r"\Delta_y",
+)
+_height = {q_z: z_M}
+_residuals = [substitute(off, _height) for off in (off_x, off_y)]
+found = (
+    *solve(
+        _residuals,
+        {q_x: here(q_x), q_y: here(q_y)},
+        steps=STEPS,
+        name="bisect",
+        within={q_x: (-2, 2), q_y: (-2, 2)},
+    ),
+    z_M,
+)
+_at = dict(zip((q_x, q_y, q_z), found, strict=True))
+_size = substitute(m.norm(), _at)
+_left = [substitute(off, _at) for off in (off_x, off_y)]
+astray = d.define(
+    "astray",
+    ~(
+        (absolute(_left[0]) < receiver_tolerance * _size)
+        & (absolute(_left[1]) < receiver_tolerance * _size)
+    ),
+    because="The normal that was found must be the bisector.",
+    meaning="whether the normal that was found is not the bisector",
+)
+_turned, _point = placed_at(found)
+H_R_aimed = d.define(
+    "H_R_aimed",
+    _turned,
+    because="The tilt that was found, in East-North-Up.",
+    meaning="rotation of a facet that aims at the receiver",
+    latex="{}^{H}R_{b}",
+)
+M_aimed = d.define(
+    "M_aimed",
+    H_T_P.position + from_base(_point),
+    because="It stands where its hinges put it, at the height of the dish's point.",
+    meaning="point of a facet that aims at the receiver, {H}",
+    latex=r"\mathbf{M}_b",
+)
+l_aimed = d.define(
+    "l_aimed",
+    substitute(vector(reach_q, 0, h_q).norm(), _at),
+    because="The closed form at the tilt that was found.",
+    meaning="length of rod i of a facet that aims at the receiver",
+    latex="l_b",
+)
