@@ -17,7 +17,7 @@ from armillary.algebra import vector as v
 from armillary.algebra.rotation import keeps_norms
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class OfDirection(s.Scalar, ABC):
     """A scalar that is the same for every positive multiple of the vector."""
 
@@ -28,7 +28,7 @@ class OfDirection(s.Scalar, ABC):
         """The same by the vector's components."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Azimuth(OfDirection):
     """Angle from the y axis towards the x axis: from north, clockwise, in east-north-up axes."""
 
@@ -36,7 +36,7 @@ class Azimuth(OfDirection):
         return s.ArcTangent(self.vector.x, self.vector.y)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Elevation(OfDirection):
     """Angle above the xy plane."""
 
@@ -44,7 +44,7 @@ class Elevation(OfDirection):
         return s.ArcTangent(self.vector.z, horizontal_length(self.vector))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class AzimuthSine(OfDirection):
     """Sine of the azimuth; not defined on the z axis, like the next two."""
 
@@ -52,7 +52,7 @@ class AzimuthSine(OfDirection):
         return s.Divide(self.vector.x, horizontal_length(self.vector))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class AzimuthCosine(OfDirection):
     """Cosine of the azimuth."""
 
@@ -60,7 +60,7 @@ class AzimuthCosine(OfDirection):
         return s.Divide(self.vector.y, horizontal_length(self.vector))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class ElevationTangent(OfDirection):
     """Tangent of the elevation."""
 

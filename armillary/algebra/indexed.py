@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import sympy
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Table(s.Symbol):
     """A named number for each part, exact."""
 
@@ -23,7 +23,7 @@ class Table(s.Symbol):
     per: Index
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Total(s.Scalar):
     """The sum of a scalar over all parts."""
 
@@ -31,7 +31,7 @@ class Total(s.Scalar):
     over: Index
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class VectorTotal(v.Vector):
     """The sum of a vector over all parts."""
 
@@ -39,7 +39,7 @@ class VectorTotal(v.Vector):
     over: Index
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class At(s.Scalar):
     """A scalar at one part."""
 
@@ -48,7 +48,7 @@ class At(s.Scalar):
     place: int
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class VectorAt(v.Vector):
     """A vector at one part."""
 
@@ -57,7 +57,7 @@ class VectorAt(v.Vector):
     place: int
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class AnyOf(s.Condition):
     """Whether a condition holds at some part."""
 
@@ -65,7 +65,7 @@ class AnyOf(s.Condition):
     over: Index
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class OneLike(s.Scalar):
     """The number 1 in the unit of another scalar: what stands in for a divisor that is 0."""
 

@@ -17,7 +17,7 @@ LARGEST = 3
 Bounds = tuple[ScalarLike, ScalarLike]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Iteration:
     """Values that are carried from turn to turn.
 
@@ -36,7 +36,7 @@ class Iteration:
     residuals: tuple[Scalar, ...]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Iterated(Scalar):
     """The value of one unknown after the last turn."""
 

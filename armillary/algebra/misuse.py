@@ -11,6 +11,12 @@ class MisuseError(TypeError):
         super().__init__(f"{problem}; {mend}")
 
 
+def told_shortly(node: object) -> str:
+    """A node by its kind, and its name where it has one."""
+    name = getattr(node, "name", "")
+    return f"<{type(node).__name__}{' ' if name else ''}{name}>"
+
+
 def told(value: object) -> str:
     """A value as an error tells it: short ones as they are, of others the type."""
     if value is None or isinstance(value, (bool, int, float, str)):

@@ -17,7 +17,7 @@ from armillary.algebra.vector import (
 )
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Matrix:
     """A rectangular array of scalars."""
 
@@ -36,7 +36,7 @@ class Matrix:
         return Components((self.rows[0][index], self.rows[1][index], self.rows[2][index]))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Pose:
     """`a_T_b`: the rotation `a_R_b` and the position `a_p_b` of b's origin in a."""
 
@@ -64,7 +64,7 @@ class Pose:
         return Matrix((*top, (ZERO, ZERO, ZERO, ONE)))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Twist:
     """Angular velocity and the velocity of one point, both in one frame."""
 
@@ -82,7 +82,7 @@ class Twist:
         return Twist(self.angular, add_vectors(self.linear, cross(self.angular, offset)))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Wrench:
     """A force and the moment about one point, both in one frame."""
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, overload
 
-from armillary.algebra.misuse import MisuseError, told
+from armillary.algebra.misuse import MisuseError, told, told_shortly
 from armillary.algebra.scalar import Scalar, ScalarLike, as_scalar, negate
 from armillary.algebra.vector import NULL, Rotated, Vector, component
 
@@ -16,9 +16,13 @@ if TYPE_CHECKING:
     from armillary.algebra.rigid import Matrix
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Rotation:
     """A proper orthonormal 3 by 3 matrix."""
+
+    def __repr__(self) -> str:
+        # The whole expression would take for ever: what is shared would be written each time.
+        return told_shortly(self)
 
     @overload
     def __matmul__(self, other: Rotation) -> Rotation: ...
@@ -50,7 +54,7 @@ class Rotation:
         return Matrix(tuple(tuple(component(c, i) for c in columns) for i in range(3)))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Elementary(Rotation):
     """Rotation by an angle about axis 0 (x), 1 (y) or 2 (z)."""
 
@@ -58,7 +62,7 @@ class Elementary(Rotation):
     angle: Scalar
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class RotationSymbol(Rotation):
     """A named rotation: the nine entries of its matrix come from outside the derivation."""
 
@@ -69,7 +73,7 @@ class RotationSymbol(Rotation):
         return NULL
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Transposed(Rotation):
     """The inverse of a named rotation."""
 
@@ -79,14 +83,14 @@ class Transposed(Rotation):
 Factor = Elementary | RotationSymbol | Transposed
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Composed(Rotation):
     """The product of its factors, outermost first; the identity when there are none."""
 
     factors: tuple[Factor, ...]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class RotationReference(Rotation):
     """A defined rotation: the name stands for the product, which is kept."""
 

@@ -13,7 +13,14 @@ from typing import TYPE_CHECKING, Any, Union
 
 import sympy
 
-from armillary.algebra.misuse import MisuseError, not_a_condition, not_a_number, not_real, told
+from armillary.algebra.misuse import (
+    MisuseError,
+    not_a_condition,
+    not_a_number,
+    not_real,
+    told,
+    told_shortly,
+)
 
 if TYPE_CHECKING:
     from armillary.algebra.vector import Vector
@@ -21,9 +28,13 @@ if TYPE_CHECKING:
 ScalarLike = Union["Scalar", int, float, Fraction, str]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Scalar:
     """A real number of the derivation; operators build new nodes."""
+
+    def __repr__(self) -> str:
+        # The whole expression would take for ever: what is shared would be written each time.
+        return told_shortly(self)
 
     def __add__(self, other: ScalarLike) -> Scalar:
         return add(self, as_scalar(other))
@@ -75,14 +86,14 @@ class Scalar:
         raise MisuseError(">= does not compare here", "write ~(a < b) for a >= b")
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Number(Scalar):
     """An exact number (a rational, pi, or an exact expression of them)."""
 
     value: sympy.Expr
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Symbol(Scalar):
     """A named scalar whose value comes from outside the derivation."""
 
@@ -93,7 +104,7 @@ class Symbol(Scalar):
         return ZERO
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Add(Scalar):
     """A sum of two."""
 
@@ -101,7 +112,7 @@ class Add(Scalar):
     right: Scalar
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Multiply(Scalar):
     """A product of two."""
 
@@ -109,14 +120,14 @@ class Multiply(Scalar):
     right: Scalar
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Negate(Scalar):
     """The same with the other sign."""
 
     argument: Scalar
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Divide(Scalar):
     """A quotient; the denominator may not be 0 where the kernel is called."""
 
@@ -124,28 +135,28 @@ class Divide(Scalar):
     denominator: Scalar
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class SquareRoot(Scalar):
     """A square root of something that is never negative."""
 
     argument: Scalar
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Sine(Scalar):
     """The sine of an angle."""
 
     argument: Scalar
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Cosine(Scalar):
     """The cosine of an angle."""
 
     argument: Scalar
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class ArcTangent(Scalar):
     """The angle of the point (x, y), in [-pi, pi]."""
 
@@ -153,7 +164,7 @@ class ArcTangent(Scalar):
     x: Scalar
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class ArcSine(Scalar):
     """The angle in [-pi/2, pi/2] that has a sine; for prints, which write it so."""
 
@@ -168,7 +179,7 @@ class ArcSine(Scalar):
         return ArcTangent(self.argument, self.cosine())
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class ArcCosine(Scalar):
     """The angle in [0, pi] that has a cosine; for prints, which write it so."""
 
@@ -182,14 +193,14 @@ class ArcCosine(Scalar):
         return ArcTangent(self.sine(), self.argument)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Absolute(Scalar):
     """An absolute value."""
 
     argument: Scalar
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Select(Scalar):
     """One of two values; the other is never used, but it is evaluated, so it must stay finite."""
 
@@ -198,7 +209,7 @@ class Select(Scalar):
     otherwise: Scalar
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Component(Scalar):
     """One component of a vector: 0 is x, 1 is y, 2 is z."""
 
@@ -206,7 +217,7 @@ class Component(Scalar):
     index: int
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Dot(Scalar):
     """The dot product of two vectors in one frame."""
 
@@ -224,7 +235,7 @@ class Given:
         self.pairs = pairs
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class ScalarReference(Scalar):
     """A defined scalar: the name stands for the expression, which is kept.
 
@@ -237,9 +248,13 @@ class ScalarReference(Scalar):
     given: Given | None = None
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Condition:
     """A truth value that a `where` or a status depends on."""
+
+    def __repr__(self) -> str:
+        # The whole expression would take for ever: what is shared would be written each time.
+        return told_shortly(self)
 
     def __and__(self, other: Condition) -> Condition:
         return Both(self, _condition(other))
@@ -260,7 +275,7 @@ class Condition:
         )
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Less(Condition):
     """Whether one scalar is below another."""
 
@@ -268,7 +283,7 @@ class Less(Condition):
     right: Scalar
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Both(Condition):
     """Whether two conditions hold."""
 
@@ -276,14 +291,14 @@ class Both(Condition):
     right: Condition
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Not(Condition):
     """Whether a condition does not hold."""
 
     argument: Condition
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class ConditionReference(Condition):
     """A defined condition: the name stands for the expression, which is kept."""
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from armillary.algebra.misuse import told_shortly
 from armillary.algebra.scalar import (
     ONE,
     ZERO,
@@ -28,9 +29,13 @@ if TYPE_CHECKING:
 AXIS_NAMES = "xyz"
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Vector:
     """Three components in one frame."""
+
+    def __repr__(self) -> str:
+        # The whole expression would take for ever: what is shared would be written each time.
+        return told_shortly(self)
 
     @property
     def x(self) -> Scalar:
@@ -74,21 +79,21 @@ class Vector:
         return norm(self)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Components(Vector):
     """A vector written by its components."""
 
     components: tuple[Scalar, Scalar, Scalar]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Basis(Vector):
     """One of the unit vectors of the frame it is written in (0 is x, 1 is y, 2 is z)."""
 
     axis: int
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class VectorSymbol(Vector):
     """A named vector whose components come from outside the derivation."""
 
@@ -104,7 +109,7 @@ class VectorSymbol(Vector):
         return NULL
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class VectorSum(Vector):
     """A sum of two vectors in one frame."""
 
@@ -112,14 +117,14 @@ class VectorSum(Vector):
     right: Vector
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class VectorNegate(Vector):
     """The opposite vector."""
 
     argument: Vector
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Scaled(Vector):
     """A vector times a scalar."""
 
@@ -127,7 +132,7 @@ class Scaled(Vector):
     vector: Vector
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Cross(Vector):
     """The cross product of two vectors in one frame."""
 
@@ -135,14 +140,14 @@ class Cross(Vector):
     right: Vector
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Unit(Vector):
     """The direction of a vector: known to have norm 1."""
 
     vector: Vector
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Rotated(Vector):
     """A vector carried into the outer frame of a rotation."""
 
@@ -150,7 +155,7 @@ class Rotated(Vector):
     vector: Vector
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Choice(Vector):
     """Equal expressions of one vector; the program takes the direction that costs least.
 
@@ -167,7 +172,7 @@ class Choice(Vector):
     inner: Vector
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class VectorReference(Vector):
     """A defined vector: the name stands for the expression, which is kept.
 

@@ -273,17 +273,17 @@ class Paper(Derivation):
         key: str,
         quote: str,
         value: s.Scalar,
-        least: s.ScalarLike,
-        largest: s.ScalarLike,
+        least: s.ScalarLike | None,
+        largest: s.ScalarLike | None,
         *,
         to: s.ScalarLike,
         words: str,
     ) -> None:
-        """A sentence that names the least and the largest of a value, rounded to `to`."""
+        """A sentence that names the least or the largest of a value, rounded to `to`."""
         source = caller()
         self._check(key, value, source)
-        low, high, digit = (s.as_scalar(number) for number in (least, largest, to))
-        self._state(Extremes(key, quote, words, value, low, high, digit, source))
+        low, high = (None if number is None else s.as_scalar(number) for number in (least, largest))
+        self._state(Extremes(key, quote, words, value, low, high, s.as_scalar(to), source))
 
     def least_moved(
         self, key: str, quote: str, value: s.Scalar, *, over: Index, part: int, words: str

@@ -70,7 +70,7 @@ class Facts:
 RateMaker = Callable[["Quantity | VectorQuantity", str | None, str | None], "Symbol | VectorSymbol"]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Quantity(Symbol):
     """A scalar quantity of a derivation."""
 
@@ -112,7 +112,7 @@ class Quantity(Symbol):
         return ZERO
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class VectorQuantity(VectorSymbol):
     """A vector quantity of a derivation."""
 
@@ -159,7 +159,7 @@ class VectorQuantity(VectorSymbol):
         return NULL
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class RotationQuantity(RotationSymbol):
     """A rotation of a derivation, given by the entries of its matrix."""
 
@@ -200,7 +200,7 @@ def _numbered(name: str, per: Index | None) -> tuple[str, ...]:
     return tuple(f"{name}_{k + 1}" for k in range(per.size)) if per else (name,)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class ConstantTable(Table):
     """A named number of the derivation for each part, exact, with a unit."""
 
@@ -211,7 +211,7 @@ class ConstantTable(Table):
         return self.facts.unit
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Constant(Symbol):
     """A named number of the derivation, exact, with a unit."""
 

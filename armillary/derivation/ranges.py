@@ -32,7 +32,7 @@ class Between:
 
 @dataclass(frozen=True, eq=False)
 class Extremes:
-    """A sentence that names the least and the largest of a value, as it rounds them.
+    """A sentence that names the least or the largest of a value, or both, as it rounds them.
 
     Attributes:
         to: the unit of the last digit that it prints, in the unit of the value.
@@ -42,8 +42,8 @@ class Extremes:
     quote: str
     words: str
     value: s.Scalar
-    least: s.Scalar
-    largest: s.Scalar
+    least: s.Scalar | None
+    largest: s.Scalar | None
     to: s.Scalar
     source: Source
 
