@@ -116,7 +116,9 @@ class _Scheduler:
         """The steps of all of some nodes."""
         steps, left = self.block((), nodes, self.placed)
         if left:
-            raise ValueError(f"no order of loops computes {self.program.name}")
+            raise ValueError(
+                f"no order of loops computes {self.program.name}: give two iterations two names"
+            )
         return steps
 
     def block(

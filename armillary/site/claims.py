@@ -63,8 +63,10 @@ def _(printed: Between, structure: Structure) -> Iterator[str]:
 
 @claim_latex.register
 def _(printed: Extremes, structure: Structure) -> Iterator[str]:
-    value, least, largest = map(structure, (printed.value, printed.least, printed.largest))
-    yield rf"\min {value} = {least},\quad \max {value} = {largest}"
+    value = structure(printed.value)
+    for word, stated in ((r"\min", printed.least), (r"\max", printed.largest)):
+        if stated is not None:
+            yield rf"{word} {value} = {structure(stated)}"
 
 
 @claim_latex.register

@@ -50,9 +50,9 @@ def attitude(kernels, sun, parameters, day, clock):
     return {"alpha": found.alpha, "beta": found.beta}
 
 
-def whole_study(kernels, sun, parameters, minutes=STEP):
-    """Angles of the dish on all days of the study: arrays of days by times."""
-    days = np.array(list(day_names(parameters)))[:, None]
+def whole_study(kernels, sun, parameters, minutes=STEP, days=()):
+    """Angles of the dish on days, those of the study if none are given: arrays of days by times."""
+    days = np.array(list(days) or list(day_names(parameters)))[:, None]
     return attitude(kernels, sun, parameters, days, hours(parameters, minutes))
 
 

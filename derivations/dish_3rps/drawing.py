@@ -37,7 +37,8 @@ def seen(points):
 
 def facet_drawing(caption, base, platform, M, normal, to_sun):
     """One facet: base, rods, platform, its normal and the ray to the sun from its point M."""
-    rods = np.concatenate([np.concatenate([b[None], s[None], GAP]) for b, s in zip(base, platform)])
+    pairs = zip(base, platform, strict=True)
+    rods = np.concatenate([np.concatenate([b[None], s[None], GAP]) for b, s in pairs])
     lines = [
         ("rods", rods[:-1]),
         ("platform", np.concatenate([platform, platform[:1]])),

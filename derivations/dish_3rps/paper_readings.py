@@ -48,7 +48,7 @@ def dish_facet(size, alpha, beta, phi):
 
 
 def replaced(size, R, alpha, beta, phi):
-    """x and y of the facet's point by (14) and (15) as printed."""
+    """The facet's x and y by (14) and (15) as printed."""
     eta = np.arctan(size["d"] / (2 * size["f"]))
     ce, se, cp, sp = np.cos(eta), np.sin(eta), np.cos(phi), np.sin(phi)
     ca, sa, cb, sb = np.cos(alpha), np.sin(alpha), np.cos(beta), np.sin(beta)

@@ -20,8 +20,8 @@ def attitudes(kernels, sun, parameters):
     yield Heading("Figs. 7 to 10: attitudes on the June solstice")
     yield Prose(
         f"Each facet is seen from azimuth {EYE_AZIMUTH:.0f} degrees, {EYE_ELEVATION:.0f} degrees "
-        "above the horizon, without perspective and to scale; the ground is at height 0. The normal "
-        "of a facet points off the sun by the slope of the dish at M, towards the dish's axis."
+        "above the horizon, without perspective and to scale. The normal of a facet points off the "
+        "sun by the slope of the dish at M, towards the dish's axis."
     )
     for k, facet in enumerate(FACETS):
         yield Panels(

@@ -7,7 +7,7 @@ import numpy as np
 from armillary.verify.plots import Curve, HeatMap, Panels, centres
 from armillary.verify.study import Column, Heading, Prose, Table
 
-from .days import LONGEST_DAY, apart, attitude, day_names, four, hours, mount, toward
+from .days import LONGEST_DAY, apart, attitude, four, hours, mount, toward
 from .drawing import CIRCLE
 
 YEAR = np.arange(1, 366)
@@ -137,7 +137,7 @@ def maps(kernels, sun, parameters, size):
         )  # fmt: skip
     return Panels(
         "Steps until the rods of facet +X are within a micron, by the guessed attitude of the "
-        "dish; no colour where the search ends elsewhere or nowhere. The pose is just below the word.",
+        "dish; no colour where it ends elsewhere or nowhere. The pose is just below the word.",
         panels,
     )
 
@@ -150,7 +150,7 @@ def basin(kernels, sun, parameters, size):
     looked = aimed(kernels, c)
     angles, tilt = four(looked), np.degrees(looked["beta"])
     own = half_tilt(kernels, size, angles)
-    rows, sure = [], {edge: 0.0 for edge in EDGES[1:]}
+    rows, sure = [], dict.fromkeys(EDGES[1:], 0.0)
     for off in OFF:
         guessed = aimed(kernels, astray(random, c, np.radians(off)))
         height = size["z_O"] + random.uniform(-LIFT, LIFT, len(c))[:, None]

@@ -12,8 +12,10 @@ from .days import MM, day_names, mount, whole_study
 from .searches import PEOPLE, differential_evolution, genetic, local
 
 STEP = 5.0  # minutes between the suns; the extremes are at the ends of the tracking
+YEAR = np.arange(1, 366)
+YEAR_STEP = 30.0  # minutes
 PRINTED_GENERATION = 75
-FLOOR = 1e-6  # mm, where the plot of convergence ends
+FLOOR = 1e-5  # mm, where the plot of convergence ends
 SMALL = 1e-4  # m, a step of z_O for slopes
 
 
@@ -33,7 +35,7 @@ def height(kernels, sun, parameters, tell):
     low, high = feasible(rods, limits)
     yield Heading("Fig. 5: the height of the dish")
     yield statement(limits)
-    yield interval(rods, limits, low, high, parameters)
+    yield interval(rods, sun, limits, low, high, parameters)
     yield over_height(rods, low, high, limits, parameters)
     found = []
     chosen = objectives(parameters)
@@ -49,10 +51,10 @@ def height(kernels, sun, parameters, tell):
 class Rods:
     """The twelve rods at all suns of the study, for candidate heights."""
 
-    def __init__(self, kernels, sun, parameters, step=STEP):
+    def __init__(self, kernels, sun, parameters, step=STEP, days=()):
         self.kernels = kernels
         self.size = mount(kernels, parameters)
-        self.angles = whole_study(kernels, sun, parameters, step)
+        self.angles = whole_study(kernels, sun, parameters, step, days)
 
     def at(self, heights):
         """Lengths, shape (heights, days, times, facets, rods)."""
@@ -95,17 +97,19 @@ def statement(limits):
     )
 
 
-def interval(rods, limits, low, high, parameters):
+def interval(rods, sun, limits, low, high, parameters):
     """The feasible interval in words."""
     ends = {z: rods.ends(z) for z in (low, high)}
     strokes = [MM * (b - a) for a, b in ends.values()]
     z_O = parameters.nominal.z_O
     inside = "in it" if low <= z_O <= high else "not in it"
+    year = feasible(Rods(rods.kernels, sun, parameters, YEAR_STEP, YEAR), limits)
     return Prose(
         f"**Feasible is $z_O$ from {MM * low:.2f} to {MM * high:.2f} mm**, {MM * (high - low):.0f} "
-        f"mm wide; the paper's {MM * z_O:.2f} mm is {inside}. At the lower end the shortest rod "
-        f"measures {MM * limits.shortest:.0f} mm, at the upper end the longest "
-        f"{MM * limits.longest:.0f}. From one end to the other the stroke, longest less shortest, "
+        f"mm wide; the paper's {MM * z_O:.2f} mm is {inside}. All days of the year leave "
+        f"{MM * year[0]:.2f} to {MM * year[1]:.2f} mm. At the lower end the shortest rod measures "
+        f"{MM * limits.shortest:.0f} mm, at the upper end the longest {MM * limits.longest:.0f}. "
+        "From one end to the other the stroke, longest less shortest, "
         f"goes from {strokes[0]:.2f} to {strokes[1]:.2f} mm: **the height does not change the "
         "stroke, only where in the sections' range it lies.** Whether two sections suffice is "
         "decided by the other dimensions."
@@ -126,7 +130,13 @@ def over_height(rods, low, high, limits, parameters):
         Mark(MM * limits.longest, ""), Mark(MM * limits.shortest, ""),
         Mark(MM * parameters.nominal.z_O, "the paper's", across=True),
     ]  # fmt: skip
-    return Plot("Rods over the feasible heights.", "$z_O$, mm", "length, mm", curves, marks)
+    return Plot(
+        "Rods over the feasible heights.",
+        "height z_O, mm",
+        Axis("length, mm", high=MM * limits.longest + 400.0),
+        curves,
+        marks,
+    )
 
 
 # -- what is best ---------------------------------------------------------------------------------
@@ -182,23 +192,23 @@ def best(rods, found, parameters, low, high):
             MM * (z - z_O), *ends,
         ))  # fmt: skip
     yield Table(
-        "The best height by what is made small: by Brent's search, and by differential evolution "
-        "less that.",
+        "The best height by what is made small: by Brent's search, and how far differential "
+        "evolution ends from it.",
         [
             "objective", "made small", Column("best $z_O$", "mm", ".3f"), "where",
-            Column("differential evolution is off by", "mm", ".4f"),
+            Column("differential evolution off by", "mm", ".4f"),
             Column("less the paper's", "mm", ".2f"),
             Column("shortest", "mm", ".1f"), Column("longest", "mm", ".1f"),
         ],
         rows,
     )  # fmt: skip
     worst = max(1e-6, *(row[4] for row in rows))
-    inner = [row for row in rows if row[3] == "inside"]
+    inner = [row[2] for row in rows if row[3] == "inside"]
     nearest = min(rows, key=lambda row: abs(row[5]))
     yield Prose(
         f"Both searches agree within {10 ** np.ceil(np.log10(worst)):g} mm. **The answer hangs on "
-        f"the question**: the objectives with an optimum inside spread over {min(r[2] for r in inner):.0f} to "
-        f"{max(r[2] for r in inner):.0f} mm, the others run to an end. Who wants room at both ends "
+        f"the question**: the objectives with an optimum inside spread over {min(inner):.0f} to "
+        f"{max(inner):.0f} mm, the others run to an end. Who wants room at both ends "
         f"of the sections asks for the minimax: {rows[0][2]:.2f} mm, which leaves "
         f"{rows[0][6] - MM * parameters.rods.shortest:.1f} mm at each end. None gives the paper's "
         f"{MM * z_O:.2f} mm; the nearest, {nearest[0]}, is {abs(nearest[5]):.1f} mm off."
@@ -258,7 +268,7 @@ def searched(rods, parameters, low, high):
     )  # fmt: skip
     yield Prose(
         f"With the nominal dimensions, which are inferred, no objective that we tried gives "
-        f"{MM * z_O:.2f} mm; of these {nearest[0]} alone come nearest, {abs(nearest[2]):.1f} mm "
+        f"{MM * z_O:.2f} mm; the nearest of these ({nearest[0]}) is {abs(nearest[2]):.1f} mm "
         "off. With other dimensions that also give the paper's extremes, least squares gives it "
         "(see Table 1). The text does not determine the paper's objective."
     )

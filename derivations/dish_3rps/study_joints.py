@@ -28,7 +28,7 @@ def passive_joints(kernels, sun, parameters):
     size, days = mount(kernels, parameters), day_names(parameters)
     clock = hours(parameters)
     cone, narrow = parameters.joints.cone, parameters.joints.conventional
-    yield Heading("Does an S-joint of 59 degrees suffice?")
+    yield Heading(f"Does an S-joint of {cone:g} degrees suffice?")
     found = {
         n: np.degrees(
             kernels.joint_angles(**four(attitude(kernels, sun, parameters, n, clock)), **size).s
@@ -47,8 +47,8 @@ def passive_joints(kernels, sun, parameters):
         ],
     )  # fmt: skip
     yield Table(
-        f"S-joint angles on the four days, and the time for which all twelve stay within {cone:g} "
-        f"and {narrow:g} degrees.",
+        "S-joint angles on the four days, and the time for which all twelve stay within the "
+        "paper's cone and within the conventional one.",
         [
             "day", Column("largest", "degrees", ".2f"), "facet, rod, time",
             Column(f"within {cone:g} degrees", "h", ".2f"), "from, to",
@@ -140,23 +140,26 @@ def smallest_cone(directions):
     The axis a is along the shortest x with d . x >= 1 for each direction d; only the few that
     bind are kept, and the furthest is added until none is outside.
     """
-    minimize = need("scipy.optimize").minimize
     x = directions.mean(axis=0)
     x = x / (directions @ x).min()
     kept = directions[[np.argmin(directions @ x)]]
     for _ in range(50):
-        found = minimize(
-            lambda y: y @ y, x, jac=lambda y: 2 * y, method="SLSQP",
-            constraints={"type": "ineq", "fun": lambda y: kept @ y - 1, "jac": lambda y: kept},
-            options={"ftol": 1e-14},
-        )  # fmt: skip
-        x = found.x
+        x = shortest(kept, x)
         far = int(np.argmin(directions @ x))
         if directions[far] @ x >= 1 - 1e-9:
             break
         kept = np.vstack([kept, directions[far]])
     axis = x / np.linalg.norm(x)
     return np.degrees(np.arccos((directions @ axis).min())), axis
+
+
+def shortest(kept, x):
+    """The shortest vector whose product with each of `kept` is at least 1."""
+    return need("scipy.optimize").minimize(
+        lambda y: y @ y, x, jac=lambda y: 2 * y, method="SLSQP",
+        constraints={"type": "ineq", "fun": lambda y: kept @ y - 1, "jac": lambda y: kept},
+        options={"ftol": 1e-14},
+    ).x  # fmt: skip
 
 
 def hinges(kernels, sun, parameters, size, days):

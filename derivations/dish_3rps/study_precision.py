@@ -17,23 +17,15 @@ BINS = np.arange(0.0, STEEP + 1, 7.5)
 
 
 def precision(kernels, native, parameters):
-    """Errors of the compiled f32 kernel, the f64 one, and of the angles' own rounding."""
-    size = {name: np.float32(value) for name, value in mount(kernels, parameters).items()}
-    random = np.random.default_rng(SEED)
-    angles = {
-        "alpha": random.uniform(-np.pi, np.pi, COUNT).astype(np.float32),
-        "beta": np.radians(random.uniform(0.0, STEEP, COUNT)).astype(np.float32),
-        "phi": PHI.astype(np.float32)[random.integers(4, size=COUNT)],
-    }
+    """Errors of the f32 kernels, of the f64 one, and of the angles' own rounding."""
+    size, angles = points(kernels, parameters)
     exact = truth(size, angles)
     whole = {name: np.asarray(value, dtype=float) for name, value in {**size, **angles}.items()}
     errors = {
-        "C, f32": np.abs(native.rod_lengths(**size, **angles).l.astype(float) - exact),
-        "Python, float32": np.abs(
-            np.asarray(kernels.rod_lengths(**size, **angles).l, dtype=float) - exact
-        ),
-        "C, f64": np.abs(native.rod_lengths(**whole).l - exact),
+        name: np.abs(np.asarray(made.rod_lengths(**size, **angles).l, dtype=float) - exact)
+        for name, made in (("C, f32", native), ("Python, float32", kernels))
     }
+    double = np.abs(native.rod_lengths(**whole).l - exact).max()
     yield Heading("What does single precision cost?")
     yield Table(
         f"Error of rod lengths at {COUNT} random attitudes up to {STEEP:g} degrees of tilt, "
@@ -43,25 +35,44 @@ def precision(kernels, native, parameters):
             (name, e.max() / MICRO, np.sqrt(np.mean(e**2)) / MICRO) for name, e in errors.items()
         ],
     )  # fmt: skip
+    yield by_tilt(angles, errors)
+    # Half a unit of the last place of an angle up to pi, times the longest arm.
+    turn = float(np.spacing(np.float32(np.pi))) / 2 * float(size["d"] + size["r_m"])
+    worst = errors["C, f32"].max() / MICRO
+    yield Prose(
+        f"**In f32 a rod is within {worst:.2f} µm**; one unit in the last place of a length of 2 "
+        f"to 4 m is {np.spacing(np.float32(3)) / MICRO:.2f} µm, and an encoder's step "
+        f"{parameters.plant.encoder / MICRO:g} µm. In f64 it is within "
+        f"{10 ** np.ceil(np.log10(max(double, 1e-15))):.0e} m. Angles that are rounded to float32 "
+        f"before they come in add up to about {turn / MICRO:.2f} µm more; an azimuth that is kept "
+        "within half a turn keeps that so."
+    )
+
+
+def points(kernels, parameters):
+    """Dimensions, and random attitudes each with one of the facets, as float32."""
+    size = {name: np.float32(value) for name, value in mount(kernels, parameters).items()}
+    random = np.random.default_rng(SEED)
+    return size, {
+        "alpha": random.uniform(-np.pi, np.pi, COUNT).astype(np.float32),
+        "beta": np.radians(random.uniform(0.0, STEEP, COUNT)).astype(np.float32),
+        "phi": PHI.astype(np.float32)[random.integers(4, size=COUNT)],
+    }
+
+
+def by_tilt(angles, errors):
+    """The largest error in classes of the tilt."""
     tilt = np.degrees(angles["beta"])
     place = np.digitize(tilt, BINS) - 1
-    yield Plot(
+    return Plot(
         "Largest error of the rods in single precision by the tilt of the dish.",
         "tilt, degrees", Axis("error, µm", low=0.0),
         [
             Curve(name, (BINS[:-1] + BINS[1:]) / 2,
                   [errors[name][place == k].max() / MICRO for k in range(len(BINS) - 1)], "both")
-            for name in ("C, f32", "Python, float32")
+            for name in errors
         ],
     )  # fmt: skip
-    # Half a unit of the last place of an angle up to pi, times the longest arm.
-    turn = float(np.spacing(np.float32(np.pi))) / 2 * float(size["d"] + size["r_m"])
-    worst = errors["C, f32"].max() / MICRO
-    yield Prose(
-        f"**In f32 a rod is within {worst:.2f} µm**; one unit in the last place of a length of 2 to "
-        f"4 m is {np.spacing(np.float32(3)) / MICRO:.2f} µm, and an encoder's step 10 µm. Angles that are rounded to float32 before they come in add up to about "
-        f"{turn / MICRO:.2f} µm more; an azimuth that is kept within half a turn keeps that so."
-    )
 
 
 def truth(size, angles):

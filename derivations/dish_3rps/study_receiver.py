@@ -83,8 +83,9 @@ def why(found, still):
         "would send the ray into the focus, but the hinges keep the facet above its base, up to "
         f"{aside:.0f} mm aside of the dish's point. A flat facet at another place with the same "
         "normal sends a parallel ray, that far beside the focus as the step aside is seen across "
-        f"the ray. Even with the sun at the zenith {still:.1f} mm are left. The paper, which takes the facet's point to be "
-        "on the dish, does not see it; its receiver would have to be as large as the miss."
+        f"the ray. Even with the sun at the zenith {still:.1f} mm are left. The paper, which takes "
+        "the facet's point to be on the dish, does not see it; its receiver would have to be as "
+        "large as the miss."
     )
 
 
@@ -124,10 +125,15 @@ def bisected(found, days, clock, parameters):
         ],
         rows,
     )  # fmt: skip
+    yield spared(found, rows, limits)
+
+
+def spared(found, rows, limits):
+    """What is left of the miss, and what it costs."""
     left = max(one["left"].max() for one in found.values())
     low, high = (pick(row[k] for row in rows) for pick, k in ((min, 4), (max, 5)))
     fits = MM * limits.shortest <= low and high <= MM * limits.longest
-    yield Prose(
+    return Prose(
         f"The miss falls from {max(row[1] for row in rows):.0f} mm to less than "
         f"{1e6 * 10 ** np.ceil(np.log10(max(left, 1e-7))):g} nm. The rods change by up to "
         f"{max(row[3] for row in rows):.0f} mm and measure {low:.1f} to {high:.1f} mm, which "

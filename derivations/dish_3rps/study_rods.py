@@ -94,7 +94,7 @@ def suffice(lengths, parameters):
         f"**The rods measure {low:.2f} to {high:.2f} mm**; the paper has "
         f"{MM * limits.found_shortest:.0f} and {MM * limits.found_longest:.0f}, which is "
         f"{abs(off[0]):.2f} and {abs(off[1]):.2f} mm off (the dimensions are inferred from these "
-        "two). Rod 1 is the one that stands on the dish's side of its facet. They "
+        "two). Rod 1 is the one that stands on the dish's side of its facet. The rods "
         f"{'stay' if inside else 'do not stay'} within {MM * limits.shortest:.0f} to "
         f"{MM * limits.longest:.0f} mm, so that two sections of {MM * limits.shortest:.0f} mm "
         f"{'suffice' if inside else 'do not suffice'} by the paper's count. At its longest a rod's "
@@ -158,8 +158,8 @@ def speeds(kernels, sun, parameters, size, days):
     fastest = max(row[1] for row in rows)
     slowest = all(row[3] <= min(row[4:]) for row in rows)
     yield Prose(
-        f"No rod goes faster than {fastest:.1f} mm/min ({fastest / 60:.2f} mm/s): following the sun "
-        "is slow, and what loads the drives is weight and wind. Rod 1, on the dish's side, "
+        f"No rod goes faster than {fastest:.1f} mm/min ({fastest / 60:.2f} mm/s): following the "
+        "sun is slow, and what loads the drives is weight and wind. Rod 1, on the dish's side, "
         f"{'is' if slowest else 'is not'} the slowest of the three on every day, at most "
         f"{max(row[3] for row in rows):.1f} mm/min: it moves least, as the paper says when it "
         "explains why the error of rod 1 is the smallest."

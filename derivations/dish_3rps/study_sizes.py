@@ -8,7 +8,7 @@ from armillary.verify.engines import need
 from armillary.verify.plots import Curve, Mark, Plot
 from armillary.verify.study import Column, Heading, Prose, Table
 
-from .days import MM, PHI, four, mount, whole_study
+from .days import MM, four, mount, whole_study
 
 SUNS = 30.0  # minutes
 RATIOS = (1.5, 2.0, 3.0, 5.0)  # r_m / r_b
@@ -31,9 +31,12 @@ def sizes(kernels, sun, parameters, tell):
     yield from one_focus(search, parameters)
     tell(0.2, "the family")
     members = [m for f in FOCI for ratio in RATIOS for m in search.members(f, ratio)]
-    yield family(members)
     tell(0.5, "round numbers")
     found = round_sets(search, parameters)
+    if not members or not found:
+        yield Prose("With these parameters no dimensions that were tried give both extremes.")
+        return
+    yield family(members)
     rows = list(consequences(search, found, parameters))
     yield table(rows)
     tell(0.9, "what follows")
@@ -112,11 +115,11 @@ def one_focus(search, parameters):
         sums.append(Curve(name, MM * DISTANCES, MM * (DISTANCES + radii)))
     yield Plot(
         "The longest rod less the paper's, where r_m is such that the shortest is the paper's.",
-        "$d$, mm", "longest less the paper's, mm", curves,
+        "d, mm", "longest less the paper's, mm", curves,
         [Mark(0.0, ""), Mark(MM * size["d"], "nominal", across=True)],
     )  # fmt: skip
     yield Plot(
-        "The sum of $d$ and $r_m$ there.", "$d$, mm", "$d + r_m$, mm", sums,
+        "The sum of $d$ and $r_m$ there.", "d, mm", "d + r_m, mm", sums,
         [Mark(MM * (size["d"] + size["r_m"]), "nominal")],
     )  # fmt: skip
 

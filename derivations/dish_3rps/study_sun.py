@@ -158,7 +158,7 @@ def origin(kernels, sun, parameters, days):
         "turn about the vertical: it looks away from the sun by twice the zenith angle, "
         f"**{least:.0f} to {most:.0f} degrees**. The lengths of the twelve rods do not tell: half "
         "a turn exchanges opposite facets, and the shortest and the longest rod stay what they "
-        f"are (to {turned:.0e} m here). The kernels take the sun's direction itself, so that no "
+        f"are (here within {turned:.0e} m). The kernels take the sun's direction itself, and no "
         "origin is chosen."
     )
 
@@ -170,7 +170,8 @@ def half_a_turn(kernels, sun, parameters):
         kernels.rod_lengths_all(alpha=angles["alpha"] + turn, beta=angles["beta"], **size).l
         for turn in (0.0, np.pi)
     )
-    return max(abs(there.min() - back.min()), abs(there.max() - back.max()), 1e-16)
+    off = max(abs(there.min() - back.min()), abs(there.max() - back.max()), 1e-13)
+    return 10.0 ** np.ceil(np.log10(off))
 
 
 def minutes_as_hours(sun, parameters, days):

@@ -54,7 +54,7 @@ r_b = d.parameter.length(
     "r_b", "radius of the circle of the base joints", range=(0.05, 1.0), latex="r_b", **_SIZE
 )
 r_m = d.parameter.length(
-    "r_m", "radius of the circle of the platform joints", range=(0.05, 1.0), latex="r_m", **_SIZE
+    "r_m", "radius of the circle of the platform joints", range=(0.2, 1.0), latex="r_m", **_SIZE
 )
 z_O = d.parameter.length(
     "z_O", "height of the dish's vertex above the ground", range=(1.0, 10.0), latex="z_O", **_SIZE
@@ -130,12 +130,12 @@ g = d.scalar(
 
 # ---- forward kinematics ----
 
-l_given = d.length("l", "length of rod i", limits=(0.0, 1e3), range=(1.0, 10.0), per=leg, latex="l")
+l_given = d.length("l", "length of rod i", limits=(0.0, 1e3), range=(2.0, 4.0), per=leg, latex="l")
 guess = d.vector(
     "guess",
     "where the search starts: alpha and beta in rad and z_O in m",
     unit=ONE,
-    range=(-3.0, 3.0),
+    range=(0.0, 3.0),
     latex=r"\mathbf{g}",
 )
 metre = d.constant(

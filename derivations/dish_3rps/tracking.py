@@ -48,9 +48,11 @@ class Stage:
         )
 
     def move(self, azimuth, tilts, duration):
-        """The way from one tilt to another."""
-        known = nominal(self.parameters)
-        return lambda time: move_way(self.native, self.shape, known, azimuth, tilts, duration, time)
+        """The way from one tilt to another, after the time in which a loop settles."""
+        known, rest = nominal(self.parameters), self.parameters.tracking.settling
+        return lambda time: move_way(
+            self.native, self.shape, known, azimuth, tilts, duration, rest, time
+        )
 
     def times(self, duration):
         """Control samples."""
@@ -61,6 +63,12 @@ class Stage:
 def drive(stage, names, way, time, wind=None, tell=None):
     """Records of the laws and plants that are named, on one way."""
     loops = {name: stage.loop(name) for name in names}
+    follow(loops, way, time, wind, tell)
+    return {name: loop.record for name, loop in loops.items()}
+
+
+def follow(loops, way, time, wind=None, tell=None):
+    """Take loops along a way."""
     for first in range(0, len(time), STRETCH):
         part = slice(first, first + STRETCH)
         here = way(time[part])
@@ -68,7 +76,6 @@ def drive(stage, names, way, time, wind=None, tell=None):
             loop.follow(here, None if wind is None else wind[part])
         if tell is not None:
             tell(min(1.0, (first + STRETCH) / len(time)))
-    return {name: loop.record for name, loop in loops.items()}
 
 
 def gusts(parameters, time, start):

@@ -76,9 +76,9 @@ def day_way(kernels, sun, parameters, shape, plant, start, speed, time):
     return way_of(kernels, shape, plant, time, angles)
 
 
-def move_way(kernels, shape, plant, azimuth, tilts, duration, time):
-    """From one tilt of the dish to another at one azimuth, with a smooth beginning and end."""
-    part = np.clip(time / duration, 0.0, 1.0)
+def move_way(kernels, shape, plant, azimuth, tilts, duration, rest, time):
+    """From one tilt of the dish to another at one azimuth, smoothly, after a rest."""
+    part = np.clip((time - rest) / duration, 0.0, 1.0)
     done = part**3 * (10 - 15 * part + 6 * part**2)
     pace = 30 * part**2 * (1 - part) ** 2 / duration
     first, last = tilts

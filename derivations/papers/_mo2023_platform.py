@@ -228,12 +228,14 @@ off_plane = p.define(
     meaning=f"{told}, in the pose of (13) to (15)",
     latex=r"\epsilon_{(15)}",
 )
-p.equation(
+p.between(
     "joints",
-    words=f"{told}, i = 1 to 3, in the pose of (13) to (15), all in {{P}}",
-    quote="The movement of the 3-RPS moving platform is constrained by spherical joints",
-    claims=vector(*(at(dish["t"].dot(S_P), leg, k) for k in range(3))),
-    printed=vector(*(at(off_plane, leg, k) for k in range(3))),
+    "The movement of the 3-RPS moving platform is constrained by spherical joints, so its three "
+    "legs can only move in the planes",
+    off_plane,
+    0,
+    0,
+    words=f"{told}, in the pose of (13) to (15), all in {{P}},",
 )
 
 # ---- The sun ----
@@ -241,7 +243,7 @@ p.equation(
 enu = dish.quantity("enu")
 from_north, alpha_s = direction_angles(enu)
 gamma_29 = p.define(
-    "gamma_29", from_north - PI, because="Counted from the south and positive in the afternoon: (29).",
+    "gamma_29", from_north - PI, because="From the south, positive in the afternoon: (29).",
     meaning="azimuth of the sun from the south, positive to the west", latex=r"\gamma_{(29)}",
 )  # fmt: skip
 altitude = p.define(

@@ -14,7 +14,7 @@ from armillary.site.plots import plot_html
 from armillary.site.plots.axes import PANEL, WHOLE, label_of, log_ticks, scale, ticks
 from armillary.site.plots.levels import Classes, classes_of
 from armillary.site.plots.maps import at
-from armillary.verify.plots import Axis, Curve, HeatMap, Mark, Plot
+from armillary.verify.plots import Axis, Curve, HeatMap, Mark, Panels, Plot
 from tests.site import figures
 from tests.site.conftest import ROOT
 
@@ -118,6 +118,32 @@ def test_a_line_beyond_the_axis_is_cut_at_its_edge():
     (path, _) = re.findall(r'<path class="curve-1" d="([^"]+)"', plot_html(plot, "p"))
     # It rises from -1 to 3: through 0 after a quarter of the way and through 1 after half of it.
     assert path == f"M{WHOLE.width / 4:g} {WHOLE.height:g}L{WHOLE.width / 2:g} 0"
+
+
+def test_a_drawing_has_one_unit():
+    square = Curve("square", [0.0, 1.0, 1.0, 0.0, 0.0], [4.0, 4.0, 5.0, 5.0, 4.0])
+    for width, height in ((1.0, 1.0), (3.0, 1.0), (1.0, 3.0)):
+        far = Curve("far", [0.0, width], [4.0, 4.0 + height])
+        plot = Plot("c", "x", "y", [square, far], equal=True)
+        (path, _) = re.findall(r'<path class="curve-1" d="([^"]+)"', plot_html(plot, "p"))
+        numbers = [float(number) for number in re.findall(r"-?[0-9.]+", path)]
+        x, y = numbers[::2], numbers[1::2]
+        assert max(x) - min(x) == pytest.approx(max(y) - min(y), abs=0.02)
+        assert min(x) >= 0
+        assert max(x) <= WHOLE.width
+        assert min(y) >= 0
+        assert max(y) <= WHOLE.height
+
+
+def test_drawings_side_by_side_have_one_unit():
+    small, large = (
+        Plot(name, "x", "y", [Curve("one", [0.0, size], [0.0, size])], equal=True)
+        for name, size in (("small", 1.0), ("large", 4.0))
+    )
+    text = plot_html(Panels("c", [small, large]), "p")
+    paths = re.findall(r'<path class="curve-1" d="M([-0-9.]+) [-0-9.]+L([-0-9.]+) ', text)
+    widths = [float(end) - float(start) for start, end in paths[:2]]
+    assert widths[1] == pytest.approx(4 * widths[0], abs=0.1)
 
 
 def test_every_curve_stands_where_its_numbers_say():

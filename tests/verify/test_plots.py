@@ -73,6 +73,10 @@ WRONG = {
         lambda: Plot("c", "x", LOG, [ONE], bands=[Band("b", [0], [-1], [1])]),
         "the band 'b' is not positive",
     ),
+    "equal units on a logarithm": (
+        lambda: Plot("c", "x", LOG, [ONE], equal=True),
+        "a plot with equal units on a logarithmic axis\n  mend: leave out equal=",
+    ),
     "a mark at zero": (lambda: Plot("c", "x", LOG, [ONE], [Mark(0, "m")]), "m is not positive"),
     "a mark nowhere": (lambda: Mark(math.nan, "m"), "the mark 'm' has no value"),
     "no label": (lambda: Axis(" "), "an axis has no label"),

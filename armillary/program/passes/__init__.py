@@ -4,13 +4,22 @@ from armillary.program.passes.arc_tangents import open_arc_tangents
 from armillary.program.passes.divisions import share_reciprocals
 from armillary.program.passes.factor import factor_sums
 from armillary.program.passes.multiple_angles import expand_multiple_angles
+from armillary.program.passes.regroup import regroup_products
 
-PASSES = (expand_multiple_angles, open_arc_tangents, factor_sums, share_reciprocals)
+PASSES = (
+    expand_multiple_angles,
+    open_arc_tangents,
+    regroup_products,
+    factor_sums,
+    share_reciprocals,
+    regroup_products,
+)
 
 __all__ = [
     "PASSES",
     "expand_multiple_angles",
     "factor_sums",
     "open_arc_tangents",
+    "regroup_products",
     "share_reciprocals",
 ]

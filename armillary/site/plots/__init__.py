@@ -36,8 +36,9 @@ def plot_html(plot: AnyPlot, identifier: str) -> str:
 
 def _panel(plot: Panel, together: Sequence[Panel], identifier: str) -> str:
     drawing = Drawing()
-    _draw(drawing, plot, TALL if isinstance(plot, Plot) and plot.equal else PANEL, together)
-    drawing.text((0 if _is_sky(plot) else PANEL.width / 2, _head(plot)), plot.caption, "heading")
+    size = TALL if isinstance(plot, Plot) and plot.equal else PANEL
+    _draw(drawing, plot, size, together)
+    drawing.text((0 if _is_sky(plot) else size.width / 2, _head(plot)), plot.caption, "heading")
     return drawing.svg(identifier, title(plot.caption), about=described(plot))
 
 

@@ -48,6 +48,7 @@ _ROTATIONS = (
     np.array([[0.64, -0.48, 0.6], [0.6, 0.8, 0.0], [-0.48, 0.36, 0.8]]),
     np.array([[0.8, 0.0, 0.6], [0.36, 0.8, -0.48], [-0.48, 0.6, 0.64]]),
 )
+_CHOICES = 3  # round values of a quantity; with fewer there are parts of its range, too
 _TRIED = 3000  # points drawn where a condition narrows the range
 
 
@@ -87,6 +88,7 @@ def everywhere(known: Sequence[Known], n: int, seed: int) -> Sample:
         few: Sample = {moving[0]: np.linspace(*moving[0].facts.range, n)}
     else:
         few = joined(sample(moving, n, seed), awkward(moving, seed + 1, moving))
+        few = joined(few, ends(moving, n, seed + 2))
     places = list(product(*(range(index.size) for index in over)))
     stepped = max(1, count(few))
     made: Sample = {q: np.concatenate([array] * len(places)) for q, array in few.items()}
@@ -287,4 +289,6 @@ def _round_values(q: AnyQuantity, small: Sequence[Quantity]) -> list[Any]:
     else:
         choices = list(_PLAIN)
     inside = [x for x in choices if low <= x <= high]
-    return inside or [float(f"{low + part * (high - low):.2g}") for part in (0.5, 0.25, 0.75)]
+    if len(inside) < _CHOICES:
+        inside += [float(f"{low + part * (high - low):.2g}") for part in (0.5, 0.25, 0.75, 0, 1)]
+    return list(dict.fromkeys(x for x in inside if low <= x <= high)) or [low]

@@ -18,7 +18,7 @@ from armillary.verify.audit.numbers import Doubles
 from armillary.verify.audit.numeric import Values
 from armillary.verify.audit.properties import largest
 from armillary.verify.audit.sentences import finding_of
-from armillary.verify.audit.verdict import Counterexample, Finding, Verdict
+from armillary.verify.audit.verdict import Counterexample, Finding, Verdict, steady
 from armillary.verify.audit.words import at, number, unit_of
 
 _POINTS = 2000
@@ -41,25 +41,33 @@ def between(paper: Paper, said: Between) -> Finding:
     example = _outside(said, known)
     if example is not None and example.at:
         says += f" {at(example, unit)}"
-    return finding_of(paper, said.key, Verdict.WRONG, said.quote, says, example=example, unit=unit)
+    return finding_of(
+        paper, said.key, Verdict.WRONG, said.quote, says, example=example, unit=unit,
+        worst=steady(beyond, 6),
+    )  # fmt: skip
 
 
 def extremes(paper: Paper, said: Extremes) -> Finding:
     """Least and largest value over the working ranges against those that are printed."""
-    known = p.quantities(said.value)
-    values = Values(Doubles(), _points(known))
-    value = values.array(said.value)
-    least, most, digit = (float(values(x)) for x in (said.least, said.largest, said.to))
-    found = float(np.nanmin(value)), float(np.nanmax(value))
+    values = Values(Doubles(), _points(p.quantities(said.value)))
+    value, digit = values.array(said.value), float(values(said.to))
     unit = unit_of(said.value)
-    off = max(abs(found[0] - least), abs(found[1] - most))
-    says = (
-        f"Over the working ranges {said.words} is {_precise(found[0], digit)} to "
-        f"{_precise(found[1], digit)} {unit}; stated is {_precise(least, digit)} to "
-        f"{_precise(most, digit)} {unit}."
-    )
+    told, off = [], 0.0
+    for word, found, stated in (
+        ("least", float(np.nanmin(value)), said.least),
+        ("largest", float(np.nanmax(value)), said.largest),
+    ):
+        if stated is not None:
+            wanted = float(values(stated))
+            off = max(off, abs(found - wanted))
+            told.append(
+                f"the {word} is {_precise(found, digit)} {unit}, "
+                f"stated is {_precise(wanted, digit)} {unit}"
+            )
+    says = f"Over the working ranges, of {said.words}: {'; '.join(told)}."
     verdict = Verdict.HOLDS if off <= digit else Verdict.WRONG
-    return finding_of(paper, said.key, verdict, said.quote, says, unit=unit)
+    worst = 0.0 if verdict is Verdict.HOLDS else steady(off, 6)
+    return finding_of(paper, said.key, verdict, said.quote, says, unit=unit, worst=worst)
 
 
 def least_moved(paper: Paper, said: LeastMoved) -> Finding:
@@ -91,7 +99,8 @@ def least_moved(paper: Paper, said: LeastMoved) -> Finding:
 def _points(known: Sequence[p.Known]) -> p.Sample:
     if any(isinstance(q, Index) for q in known):
         return p.everywhere(known, _STEPS, 5)
-    return p.joined(p.sample(known, _POINTS, 5), p.awkward(known, 6, known))
+    drawn = p.joined(p.sample(known, _POINTS, 5), p.awkward(known, 6, known))
+    return p.joined(drawn, p.ends(known, _POINTS, 7))
 
 
 def _blocks(said: Between) -> list[s.Scalar | s.Condition]:
@@ -144,7 +153,8 @@ def _outside(said: Between, known: Sequence[p.Known]) -> Counterexample | None:
         return None
     found = _bounded(said, Values(Doubles(), p.stacked([where], known)))
     value, low, high = (float(x[0]) for x in found)
-    return Counterexample(where.told(), low if value < low else high, value)
+    bound = low if value < low else high
+    return Counterexample(where.told(), steady(bound, 14), steady(value, 14))
 
 
 def _corners(points: p.Sample, over: Sequence[Index]) -> Iterator[tuple[str, Any]]:

@@ -23,7 +23,14 @@ from armillary.verify.audit.properties import not_orthonormal
 from armillary.verify.audit.repairs import entry_repair, repeated
 from armillary.verify.audit.sides import Place, Sides, sides_of
 from armillary.verify.audit.special import special_repair
-from armillary.verify.audit.verdict import Counterexample, Entry, Read, Repair, Verdict
+from armillary.verify.audit.verdict import (
+    Counterexample,
+    Entry,
+    Read,
+    Repair,
+    Verdict,
+    steady,
+)
 from armillary.verify.audit.wholes import is_written_out, whole_repair
 
 Latex = Callable[[Any], str]
@@ -138,7 +145,7 @@ def _entry(sides: Sides, place: Place, explained: Explained | None) -> Entry:
     row, column = place[0] + 1, place[1] + 1
     if outcome.exact:
         return Entry(row, column, Verdict.HOLDS)
-    worst = _steady(sides.bench.worst(*sides.pair(place)), 6)
+    worst = steady(sides.bench.worst(*sides.pair(place)), 6)
     if outcome.holds:
         return Entry(row, column, Verdict.ORDER, outcome.order, worst=worst)
     assert explained is not None
@@ -198,13 +205,8 @@ def _counterexample(sides: Sides, entries: Sequence[Entry]) -> Counterexample | 
     wanted = float(values.array(derived)[0])
     found = wanted + float(bench.difference(values, printed, derived)[0])
     return Counterexample(
-        where.told(), _steady(found, 14), _steady(wanted, 14), worst.row, worst.column
+        where.told(), steady(found, 14), steady(wanted, 14), worst.row, worst.column
     )
-
-
-def _steady(value: float, digits: int) -> float:
-    """A value that is the same on machines whose sines differ in the last bit."""
-    return float(f"{value:.{digits}g}")
 
 
 def _against_size(sides: Sides, entry: Entry) -> float:

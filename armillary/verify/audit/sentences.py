@@ -157,8 +157,9 @@ def finding_of(
     repair: Repair | None = None,
     example: Counterexample | None = None,
     unit: str = "",
+    worst: float = 0.0,
 ) -> Finding:
     """The finding on a sentence."""
-    one = Read("", verdict, None, repair, (), counterexample=example)
+    one = Read("", verdict, None, repair, (), counterexample=example, worst=worst)
     words = "claim of the text"
     return Finding(paper.name, key, verdict, None, words, quote, says, (), (one,), unit)

@@ -132,3 +132,8 @@ class Finding:
     def label(self) -> str:
         """The verdict as a table shows it."""
         return f"{self.verdict} {self.order}" if self.verdict is Verdict.ORDER else self.verdict
+
+
+def steady(value: float, digits: int) -> float:
+    """A value that is the same on machines whose sines differ in the last bit."""
+    return float(f"{value:.{digits}g}")
