@@ -11,7 +11,7 @@ from armillary.derivation.errors import Source
 from armillary.derivation.statements import Kernel, Output
 from armillary.derivation.status import Status
 from armillary.program.builder import Builder
-from armillary.program.program import Op, Result
+from armillary.program.program import CLOSING_OPS, Op, Result
 
 record = Derivation("hand", title="Loops by hand")
 leg = record.index("leg", 3)
@@ -212,9 +212,10 @@ def at_random(seed, size=40):
     chance, b = random.Random(seed), Hand()
     values = [b.x, b.y, b.l, b.h, *b.v, b.values(leg, 1, 2, -3), b.values(facet, "1/2", 2)]
     conditions = [b.less(b.x, b.l)]
-    open_phis = []
+    phis = []
     for _ in range(size):
         kind, a, c = chance.random(), chance.choice(values), chance.choice(values)
+        indices = sorted(b.domains[a], key=str)
         if kind < 0.25:
             values.append(b.add(a, c))
         elif kind < 0.45:
@@ -222,34 +223,49 @@ def at_random(seed, size=40):
         elif kind < 0.5:
             values.append(b.divide(a, b.add(b.square(c), b.number(1))))
         elif kind < 0.55:
-            conditions.append(b.less(a, c))
+            # A little apart, so that rounding does not decide between equals.
+            conditions.append(b.less(a, b.add(c, b.number("0.0137"))))
             values.append(b.select(chance.choice(conditions), a, c))
         elif kind < 0.6:
             condition = chance.choice(conditions)
             for index in sorted(b.domains[condition], key=str):
-                if chance.random() < 0.7 and not index.sequential:
+                if chance.random() < 0.7:
                     condition = b.any_of(condition, index)
             values.append(b.select(condition, a, c))
-        elif kind < 0.68 and b.domains[a]:
-            index = chance.choice(sorted(b.domains[a], key=str))
-            values.append(b.sum(a, index))
-        elif kind < 0.8 and b.domains[a]:
-            index = chance.choice(sorted(b.domains[a], key=str))
+        elif kind < 0.68 and indices:
+            values.append(b.sum(a, chance.choice(indices)))
+        elif kind < 0.8 and indices:
+            index = chance.choice(indices)
             values.append(b.element(a, index, chance.randrange(index.size)))
-        elif kind < 0.9 and not any(i.sequential for i in b.domains[a]):
-            phi = b.phi(a, turn, f"p{len(open_phis)}", over=[leg, facet])
-            open_phis.append(phi)
-            values.append(phi)
+        elif kind < 0.9 and turn not in indices:
+            phis.append(b.phi(a, turn, f"p{len(phis)}", over=[leg, facet]))
+            values.append(phis[-1])
         else:
             values.append(b.cos(a))
-    for phi in open_phis:
-        b.carry(phi, b.sin(chance.choice([v for v in values if b.domains[v] <= b.domains[phi]])))
+    for phi in phis:
+        # What a part carries may depend on no other part, nor on a turn to come.
+        causal = [v for v in values if not closes_over(b, v, phis)]
+        b.carry(phi, b.sin(chance.choice(causal)))
     results = {}
     for k, value in enumerate(chance.sample(values, 8)):
-        for index in sorted(b.domains[value], key=str):
-            if index.sequential:
-                value = b.element(value, index, chance.randrange(index.size))
-        indices = sorted(b.domains[value], key=str)
-        chance.shuffle(indices)
-        results[f"r{k}"] = ([value, b.x], indices)
+        if turn in b.domains[value]:
+            value = b.element(value, turn, chance.randrange(turn.size))
+        order = sorted(b.domains[value], key=str)
+        chance.shuffle(order)
+        results[f"r{k}"] = ([value, b.x], order)
     return program_of(b, results)
+
+
+def closes_over(b, number, phis):
+    """Whether a value depends on an iteration through a sum or a single element."""
+    stack, seen = [(number, False)], set()
+    while stack:
+        n, closed = stack.pop()
+        if n in phis and closed:
+            return True
+        if (n, closed) not in seen:
+            seen.add((n, closed))
+            i = b.instructions[n]
+            stack += [(a, closed or i.op in CLOSING_OPS) for a in i.args]
+            stack += [(b.carried[n], closed)] if n in b.carried else []
+    return False

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from copy import copy
 from functools import singledispatchmethod
+from itertools import islice
 
 import sympy
 
@@ -36,6 +37,7 @@ from armillary.algebra.rotation import (
     factors,
 )
 
+_SHORT = 200  # nodes of a condition
 Node = s.Scalar | s.Condition | v.Vector | Rotation | Pose | Twist | Wrench | Matrix
 
 
@@ -178,9 +180,10 @@ class Explicit:
 
     @translate.register
     def _(self, node: s.Select) -> sympy.Basic:
-        return sympy.Piecewise(
-            (self(node.then), self(node.condition)), (self(node.otherwise), True)
-        )
+        condition = self(node.condition)
+        pieces = (self(node.then), condition), (self(node.otherwise), True)
+        # SymPy would simplify the condition, which takes minutes for one that is long.
+        return sympy.Piecewise(*pieces, evaluate=_is_short(condition))
 
     @translate.register
     def _(self, node: s.Component) -> sympy.Basic:
@@ -291,6 +294,10 @@ class Explicit:
     @translate.register
     def _(self, node: Matrix) -> sympy.Basic:
         return sympy.Matrix([[self(entry) for entry in row] for row in node.rows])
+
+
+def _is_short(form: sympy.Basic) -> bool:
+    return next(islice(sympy.preorder_traversal(form), _SHORT, None), None) is None
 
 
 def symbol(name: str) -> sympy.Symbol:

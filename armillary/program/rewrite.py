@@ -92,3 +92,14 @@ def uses(program: Program) -> list[int]:
     for _, condition in program.cases:
         count[condition] += 1
     return count
+
+
+def appearances(program: Program) -> list[int]:
+    """How often each value would be written out if nothing but signs had no name of its own."""
+    count = uses(program)
+    for number in reversed(range(len(program.instructions))):
+        i = program.instructions[number]
+        if i.op is Op.NEGATE:
+            # The sign goes where the value goes: as many times as both together.
+            count[i.args[0]] += count[number] - 1
+    return count

@@ -206,7 +206,10 @@ class _Scheduler:
             for source, user in self.users
             if source.number in attempt.placed
             and user not in attempt.placed
-            and (self.paths[user][: len(here)] != here or here[-1] in dict(source.fixed))
+            and (
+                self.paths[user][: len(here)] != here
+                or not dict(source.fixed).keys().isdisjoint(here)
+            )
         ]
         while stack:
             node = stack.pop()

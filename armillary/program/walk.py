@@ -98,8 +98,12 @@ class _Walker:
         self.numbers: dict[Place, int] = {}
 
     def visit(self, target: Place) -> None:
-        """Append the steps that a value needs, and its own; on a stack of its own."""
-        stack = [target]
+        """Append the steps that a value needs, and its own; on a stack of its own.
+
+        Raises:
+            ValueError: if an iteration needs what it only finds later.
+        """
+        stack, begun = [target], set[Place]()
         while stack:
             place = stack[-1]
             if place in self.numbers:
@@ -107,7 +111,10 @@ class _Walker:
                 continue
             needs = self.needs(place)
             waiting = [need for need in needs if need not in self.numbers]
+            if begun.intersection(waiting):
+                raise ValueError(f"instruction {place[0]} of {self.program.name} needs itself")
             if waiting:
+                begun.add(place)
                 stack.extend(reversed(waiting))
                 continue
             stack.pop()

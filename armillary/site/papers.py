@@ -19,7 +19,7 @@ from armillary.site.explicit import Formula
 from armillary.site.notation import Notation, definition_latex
 from armillary.site.pages import Figure, first_sentence, render
 from armillary.site.plots import plot_html
-from armillary.site.prints import anchors, print_views
+from armillary.site.prints import anchors, named_formula, print_views
 from armillary.site.references import Reference, reference_of
 from armillary.site.steps import Row, quantity_row
 from armillary.site.structure import Structure
@@ -249,6 +249,6 @@ def _quantity_rows(paper: Paper) -> list[Row]:
 def _names(paper: Paper) -> list[Name]:
     structure = Structure(Notation(paper))
     return [
-        Name(Formula(f"{definition_latex(d)} = {structure(d.expression)}"), d.because)
+        Name(named_formula(definition_latex(d), structure(d.expression)), d.because)
         for d in paper.definitions.values()
     ]

@@ -30,6 +30,7 @@ from armillary.verify.audit.verdict import Entry, Finding, Read, Repair, Verdict
 from armillary.verify.audit.words import reading as told
 
 _HOLDING = (Verdict.HOLDS, Verdict.ORDER)
+_READABLE = 3000  # letters of LaTeX
 
 
 @dataclass(frozen=True)
@@ -181,7 +182,7 @@ class _Views:
         name = definition_latex(found)
         link = Link(name, f"../systems/{system}.html#eq-{found.identifier}", True)
         # The names of a system are its own; those of the paper may differ from them.
-        return Derived(link, found.meaning, Formula(f"{name} = {self.structure(found.expression)}"))
+        return Derived(link, found.meaning, named_formula(name, self.structure(found.expression)))
 
     # -- what is printed ----------------------------------------------------------------------
 
@@ -308,6 +309,11 @@ class _Views:
         return Example(
             entry, at, figure(found.printed), figure(found.derived), figure(found.error), behind
         )
+
+
+def named_formula(name: str, expression: str) -> Formula:
+    """A definition in one line; by its name alone where no reader would follow the rest."""
+    return Formula(f"{name} = {expression}" if len(expression) <= _READABLE else name)
 
 
 def _input_names(record: Derivation) -> dict[str, str]:

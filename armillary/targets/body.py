@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from itertools import count
 
 import sympy
 
@@ -15,7 +16,7 @@ from armillary.algebra.index import Index
 from armillary.program.guards import index_of_parts
 from armillary.program.homes import Home, homes
 from armillary.program.program import CONDITION_OPS, Instruction, Op, Program
-from armillary.program.rewrite import uses
+from armillary.program.rewrite import appearances
 from armillary.program.schedule import Chain, Loop, Step, Store, schedule
 from armillary.program.sources import has_line, sources, taken
 from armillary.program.walk import points
@@ -27,6 +28,7 @@ from armillary.targets.language import (
     Numbers,
     Statement,
     Variable,
+    flat_place,
     unused,
 )
 
@@ -128,10 +130,14 @@ class _Writer:
         for number, i in enumerate(self.program.instructions):
             if i.op is Op.TABLE and isinstance(i.data, tuple):
                 index, values = i.data
-                wanted = self._label(number) or f"{index}_constants"
-                self.names[number] = self.named(wanted)
+                self.names[number] = self.named(self._label(number) or self.numbered(index))
                 assert isinstance(values, tuple)
                 yield Numbers(self.names[number], tuple(self.signed(value) for value in values))
+
+    def numbered(self, index: Index) -> str:
+        """leg_constants, leg_constants_2, ..."""
+        names = (f"{index}_constants{f'_{k}' if k > 1 else ''}" for k in count(1))
+        return next(name for name in names if name not in self.taken)
 
     def signed(self, value: sympy.Expr) -> str:
         """A number, its sign outside of the literal."""
@@ -152,14 +158,14 @@ class _Writer:
     def loop(self, loop: Loop, chain: Chain) -> Iterator[Line]:
         """A loop after what it fills, and at the end of a turn what is carried."""
         inner = (*chain, (loop.key, loop.index))
+        phis = [s for s in loop.steps if isinstance(s, int) and s in self.program.carried]
+        for phi in phis:
+            yield self.started(phi)
         made = [n for n, at in self.plan.chains.items() if at[: len(inner)] == inner]
         for number in sorted(n for n in made if isinstance(n, int)):
             home = self.homes.arrays.get(number)
             if home is not None and home.block == chain:
                 yield self.declared(number, home)
-        phis = [s for s in loop.steps if isinstance(s, int) and s in self.program.carried]
-        for phi in phis:
-            yield self.started(phi)
         if loop.index not in self.variables:
             self.variables[loop.index] = self.named(loop.index.name)
         variable = self.variables[loop.index]
@@ -381,29 +387,6 @@ class _Writer:
             if i.op is Op.NEGATE:
                 return self.language.subtract(self.operand(first), self.operand(i.args[0]))
         return self.language.add(self.operand(left), self.operand(right))
-
-
-def appearances(program: Program) -> list[int]:
-    """How often each value would be written out if nothing but signs had no name of its own."""
-    count = uses(program)
-    for number in reversed(range(len(program.instructions))):
-        i = program.instructions[number]
-        if i.op is Op.NEGATE:
-            # The sign goes where the value goes: as many times as both together.
-            count[i.args[0]] += count[number] - 1
-    return count
-
-
-def flat_place(terms: list[tuple[str, int]], offset: int) -> str:
-    """A place in a flat array: loop variables by their strides, and an offset."""
-    alone = len(terms) == 1 and not offset
-    parts = []
-    for variable, stride in terms:
-        product = f"{stride} * {variable}"
-        parts.append(variable if stride == 1 else product if alone else f"({product})")
-    if offset or not parts:
-        parts.append(str(offset))
-    return " + ".join(parts)
 
 
 def _plain(program: Program, number: int) -> bool:

@@ -235,7 +235,7 @@ def _declarations(
         if kernel.stateful and kernel.controller not in known:
             known.add(kernel.controller)
             words = kernel.controller.replace("_", " ")
-            lines += [f"/** What the {words} keeps from call to call. */", "typedef struct {"]
+            lines += [f"/** State of the {words}, kept from call to call. */", "typedef struct {"]
             lines += _fields(kernel.states, kind)
             lines += [f"}} {state_type(kernel, target, precision)};", ""]
         lines += function_comment(made.program, made.cost)

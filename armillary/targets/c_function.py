@@ -26,9 +26,8 @@ def function_body(program: Program, language: C) -> list[str]:
 
 def must_not_overlap(program: Program) -> bool:
     """Whether a kernel may still read an input when it has written a result."""
-    indexed = any(index_of_parts(q) for q in _read(program))
-    stored = any(result.indices for result in program.results)
-    return indexed and stored and not _is_late(program)
+    states = {q.name for q in program.kernel.states}
+    return any(index_of_parts(q) and q.name not in states for q in _read(program))
 
 
 def state_argument(kernel: Kernel) -> str:
@@ -122,13 +121,17 @@ class _Function:
 
     def computation(self) -> Iterator[str]:
         """The lines behind the guards."""
-        program, room = self.program, WIDTH - 6
+        program, kernel, room = self.program, self.kernel, WIDTH - 6
         stored = {r.name: self.result(r.name) for r in program.results if r.indices}
+        arrays = [q for q in kernel.states if index_of_parts(q) and q in kernel.inputs]
+        used = program.inputs_used()
+        copies = {q.name: q.name for q in arrays if q.name in used}
+        yield from self.copied(copies)
         body = write_body(
             program,
             self.c,
             frozenset(self.taken),
-            arrays=self.places,
+            arrays=self.places | copies,
             stored=stored,
             late=_is_late(program),
         )
@@ -141,6 +144,19 @@ class _Function:
             yield from ("if (status >= 0) {", *(f"  {line}" for line in stores), "}")
         else:
             yield from stores
+
+    def copied(self, copies: dict[str, str]) -> Iterator[str]:
+        """States that run over an index, as they were before any of them is written."""
+        for index, variable in self.variables().items():
+            states = [q for q in self.read if q.name in copies and index_of_parts(q) == index]
+            for q in states:
+                yield f"{self.c.type} {copies[q.name]}[{index.size}];"
+            if states:
+                yield f"for (int {variable} = 0; {variable} < {index.size}; ++{variable}) {{"
+                for q in states:
+                    place = f"[{variable}]"
+                    yield f"  {copies[q.name]}{place} = {self.places[q.name]}{place};"
+                yield "}"
 
     def result(self, name: str) -> str:
         """Where the caller wants a result."""

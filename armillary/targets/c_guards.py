@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from armillary.algebra.index import Index
 from armillary.derivation.quantity import AnyQuantity
 from armillary.program.guards import Form, Guard, index_of_parts
-from armillary.targets.body import flat_place
 from armillary.targets.c_language import WIDTH, C, filled
+from armillary.targets.language import flat_place
 
 
 @dataclass(frozen=True)

@@ -144,3 +144,15 @@ def unused(wanted: str, used: Collection[str]) -> str:
         name = f"{wanted}_value" if k == 1 else f"{wanted}_value{k}"
         k += 1
     return name
+
+
+def flat_place(terms: list[tuple[str, int]], offset: int) -> str:
+    """A place in a flat array: loop variables by their strides, and an offset."""
+    alone = len(terms) == 1 and not offset
+    parts = []
+    for variable, stride in terms:
+        product = f"{stride} * {variable}"
+        parts.append(variable if stride == 1 else product if alone else f"({product})")
+    if offset or not parts:
+        parts.append(str(offset))
+    return " + ".join(parts)

@@ -77,7 +77,7 @@ class Function:
         iterations: Iterations | None = None,
     ) -> None:
         exact = {symbol(c.name): c.value for c in symbols if isinstance(c, Constant)}
-        self.entries = [e.subs(exact) if exact else e for e in entries]
+        self.entries = [e.xreplace(exact) if exact else e for e in entries]
         self.quantities = [q for q in symbols if isinstance(q, AnyQuantity)]
         self._names = [symbol(part) for q in self.quantities for part in q.parts]
         self._turning = turnings(iterations or {}, self._names, exact)

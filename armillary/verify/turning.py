@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+import mpmath
 import sympy
 
 from armillary.algebra.explicit import Explicit, symbol
@@ -27,17 +28,22 @@ class Turning:
         unknowns = [symbol(u.name) for u in given.unknowns]
         self.results = [symbol(f"{key}_{u.name}") for u in given.unknowns]
         self.turns = given.turns.size
-        start = [at(e).subs(exact) for e in given.start]
-        following = [at(e).subs(exact) for e in given.following]
+        start = [at(e).xreplace(exact) for e in given.start]
+        following = [at(e).xreplace(exact) for e in given.following]
         self._start = sympy.lambdify(known, start, modules="mpmath", cse=True)
         self._next = sympy.lambdify([*known, *unknowns], following, modules="mpmath", cse=True)
 
     def __call__(self, known: Sequence[Any]) -> list[Any]:
         """The unknowns after the last turn."""
-        values = list(self._start(*known))
+        values = _exact(self._start(*known))
         for _ in range(self.turns):
-            values = list(self._next(*known, *values))
+            values = _exact(self._next(*known, *values))
         return values
+
+
+def _exact(values: Sequence[Any]) -> list[Any]:
+    """A bound is a plain integer, and 1 over it a plain float, if nobody minds."""
+    return [mpmath.mpf(value) for value in values]
 
 
 def turnings(iterations: Iterations, names: Sequence[sympy.Symbol], exact: Exact) -> list[Turning]:

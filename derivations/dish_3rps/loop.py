@@ -21,12 +21,14 @@ class Record:
         time: s.
         errors: lengths wanted less lengths, before the step, (n, 12), m.
         forces: what the law asked for, (n, 12), N.
-        tilts: angles between the normals and those wanted, (n / 10, 4), rad.
+        looks: times at which the normals were looked at, s.
+        tilts: angles then between the normals and those wanted, (n / 10, 4), rad.
     """
 
     time: list[np.ndarray] = field(default_factory=list)
     errors: list[np.ndarray] = field(default_factory=list)
     forces: list[np.ndarray] = field(default_factory=list)
+    looks: list[np.ndarray] = field(default_factory=list)
     tilts: list[np.ndarray] = field(default_factory=list)
 
     def joined(self, name):
@@ -80,6 +82,7 @@ class Loop:
         self.record.time.append(way.time)
         self.record.errors.append(errors)
         self.record.forces.append(forces)
+        self.record.looks.append(way.time[::STRIDE])
         self.record.tilts.append(apart(normals, way.normals[::STRIDE]))
 
 

@@ -87,8 +87,8 @@ def the_plant(parameters, plants):
         "there is feed-forward, `static_forces` the force that carries the facet; to that comes "
         "the rod's own weight along its lean. The law is the exported kernel "
         "`rod_control_update`, its compiled C called once a sampling period for twelve rods; it "
-        "hears the length that the encoder tells. It drives the multibody model, and nothing else in the loop knows the "
-        "model. **The paper gives no mass, no friction, no drive and no encoder: all of these are "
+        "hears the length that the encoder tells. It drives the multibody model, and nothing else "
+        "in the loop knows the model. **The paper gives no mass, no friction, no drive and no encoder: all of these are "
         "ours.**"
     )
     yield ParameterTable("The plant, its corner, the gust and the law.",

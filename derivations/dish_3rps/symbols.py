@@ -135,7 +135,7 @@ guess = d.vector(
     "guess",
     "where the search starts: alpha and beta in rad and z_O in m",
     unit=ONE,
-    range=(0.0, 3.0),
+    range=(0.0, 1.5),
     latex=r"\mathbf{g}",
 )
 metre = d.constant(

@@ -4,8 +4,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from armillary.verify.engines import need
+
 from .days import mount
-from .loop import RODS, STRIDE, Loop
+from .loop import RODS, Loop
 from .plant import corner, gust, nominal, train
 from .tuning import law_of
 from .way import day_way, move_way
@@ -78,12 +80,32 @@ def follow(loops, way, time, wind=None, tell=None):
             tell(min(1.0, (first + STRETCH) / len(time)))
 
 
-def gusts(parameters, time, start):
-    """One gust that presses on the mirrors, and a random train, (n, 4), N."""
+def gusts(parameters, time, start, begin):
+    """A gust that presses on all mirrors at `start`, and random trains from `begin`, (n, 4), N."""
     given = parameters.gust
     one = -gust(time, start, given.length, given.peak)
-    many = train(time - start, given.length, given.peak, given.pause, SEED)
-    return np.repeat(one[:, None], 4, axis=1), many
+    later = time >= begin
+    many = np.zeros((len(time), 4))
+    many[later] = train(time[later] - begin, given.length, given.peak, given.pause, SEED)
+    return one[:, None] + many
+
+
+def creep(stage, share, duration):
+    """The largest speed of a rod that dry friction holds, against a share of it, in m/s.
+
+    The friction of MuJoCo is a soft constraint: what it holds gives way a little all the time.
+    """
+    loop = stage.loop(PID)
+    here = stage.day(stage.parameters.days.first, 1.0)(np.zeros(1))
+    loop.begin(here)
+    data, friction = loop.machine.data, loop.plant.coulomb
+    step, period = need("mujoco").mj_step, stage.parameters.control.T_S
+    data.ctrl[:] = here.forces.ravel() + share * friction
+    half = round(duration / period / 2)
+    step(loop.machine.model, data, half)
+    before = loop.machine.lengths.copy()
+    step(loop.machine.model, data, half)
+    return float(np.abs(loop.machine.lengths - before).max() / (half * period))
 
 
 # -- what a record says ---------------------------------------------------------------------------
@@ -116,12 +138,14 @@ class Figures:
         return float(self.tilts.max())
 
 
-def figures(record, settling):
-    """The errors of a record from a time on."""
+def figures(record, first, last=np.inf):
+    """The errors of a record from one time to another."""
     time = record.joined("time")
-    errors = record.joined("errors")[time >= settling].reshape(-1, 4, 3)
-    tilts = record.joined("tilts")[time[::STRIDE] >= settling]
-    forces = record.joined("forces")[time >= settling]
+    kept = (time >= first) & (time < last)
+    errors = record.joined("errors")[kept].reshape(-1, 4, 3)
+    looks = record.joined("looks")
+    tilts = record.joined("tilts")[(looks >= first) & (looks < last)]
+    forces = record.joined("forces")[kept]
     return Figures(
         np.abs(errors).max(axis=0), np.sqrt(np.mean(errors**2, axis=0)), tilts.max(axis=0),
         float(np.abs(forces).max()),

@@ -43,6 +43,9 @@ p.assume(
     "cos phi^2 is the square of cos phi, and what follows a stroke, as in d^2/4f, stands below it: "
     "the lines after (13) print it so."
 )
+p.assume(
+    "The bar before the arc cosine of (29) has no other beside it; both bars would change nothing."
+)
 p.assume("The four days, which have no dates, are numbers 80, 172, 266 and 355 of the year.")
 
 

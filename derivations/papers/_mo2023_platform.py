@@ -118,7 +118,8 @@ p.equation(
 )
 p.word(
     "cosines",
-    "orientation vectors n, o, a are the directional cosines of the axes X_m, Y_m, Z_m",
+    "orientation vectors n [...], o [...], a [...] are the directional cosines of the axes X_m, "
+    "Y_m, Z_m",
     "orthogonal",
     of={"n, o, a": matrix(*(row[:3] for row in elements(gamma)))},
 )
@@ -129,11 +130,11 @@ u, R_P = dish["u"], H_T_P.rotation
 in_base = dish["BS"] + r_b * u
 S_P = p.define(
     "S_P", in_base, because="The rod stands on its hinge.", meaning="S-joint i in {P}",
-    latex=r"S_{i\_P}",
+    latex="S_P",
 )  # fmt: skip
 S_H = p.define(
     "S_H", H_T_P.position + R_P @ in_base, because="The same point in {H}.",
-    meaning="S-joint i in {H}", latex=r"S_{i\_H}",
+    meaning="S-joint i in {H}", latex="S_H",
 )  # fmt: skip
 leg = dish.derivation.indices["leg"]
 root_3 = sqrt(number(3))
@@ -164,6 +165,14 @@ def sideways(alpha, beta, phi):
 
 
 x_14, y_15 = sideways(alpha, beta, phi)
+by_13 = carried.rotation
+p.equation(
+    "14, 15 from (13)",
+    words="x and y by (14) and (15), as the planes give them by the elements of (13)",
+    quote="Then the constraint relations of x_m-H and y_m-H are obtained",
+    claims=vector(r_m * (by_13.column(0).x - by_13.column(1).y) / 2, -r_m * by_13.column(0).y, 0),
+    printed=vector(x_14, y_15, 0),
+)
 # In {P} the azimuths of sun and facet are counted from its x axis, which the facet's is half a
 # turn away from.
 x_P, y_P = (
@@ -198,7 +207,7 @@ n_H, o_H = (
 )  # fmt: skip
 n_P, o_P = (
     p.define(name, R_P.transpose() @ column, because="the same axis in {P}",
-             meaning=f"axis {axis} of {{M}} in {{P}}", latex=rf"\mathbf{{{name[0]}}}_P")
+             meaning=f"axis {axis} of {{M}} in {{P}}", latex=rf"{{}}^{{P}}\mathbf{{{name[0]}}}")
     for name, axis, column in zip(("n_P", "o_P"), "xy", columns, strict=True)
 )  # fmt: skip
 in_P = {M: dish["M_P"], n_H: n_P, o_H: o_P}
@@ -226,7 +235,7 @@ off_plane = p.define(
     dish["t"].dot(vector(x_P, y_P, dish["z_M"]) + turned @ (r_m * u)),
     because="The rotation (13), with x and y of (14) and (15) in {P}.",
     meaning=f"{told}, in the pose of (13) to (15)",
-    latex=r"\epsilon_{(15)}",
+    latex=r"\epsilon",
 )
 p.between(
     "joints",

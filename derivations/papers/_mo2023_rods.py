@@ -58,7 +58,7 @@ p.equation(
 P = H_T_P.position
 BS_H = p.define(
     "BS_H", R_P @ dish["BS"], because="The rod's vector, turned from {P} to {H}.",
-    meaning="vector along rod i, {H}", latex=r"\overrightarrow{B_iS_i}",
+    meaning="vector along rod i, {H}", latex=r"\overrightarrow{BS}_H",
 )  # fmt: skip
 MS, PB = r_m * u, r_b * u
 S, B = M + turned(R, MS), P + R_P @ PB
@@ -153,15 +153,22 @@ for key, q, column in (("23'", alpha, J_v1), ("23''", beta, J_v2), ("23'''", z_O
     )
 
 spin = [[time_derivative(entry) for entry in row] for row in R]
-p.equation(
-    "24",
-    words="rate of the platform's rotation, times its inverse",
-    claims=matrix(
+spun = p.define(
+    "spun",
+    matrix(
         *(
             [spin[i][0] * R[j][0] + spin[i][1] * R[j][1] + spin[i][2] * R[j][2] for j in range(3)]
             for i in range(3)
         )
     ),
+    because="The derivative of the platform's rotation by the time, and its inverse.",
+    meaning="rate of the platform's rotation, times its inverse",
+    latex=r"{}^{H}\dot{R}_M\,{{}^{H}R_M}^{-1}",
+)
+p.equation(
+    "24",
+    words="rate of the platform's rotation, times its inverse",
+    claims=spun,
     printed={
         "the minus before H of the entry (1, 2) as a sign": matrix(
             (0, -Omega.z, Omega.y), (Omega.z, 0, -Omega.x), (-Omega.y, Omega.x, 0)

@@ -44,7 +44,7 @@ def on_days(value):
 l_day = p.define(
     "l_day", on_days(dish["l_rod"]), because="The inferred set, on the four days.",
     meaning="length of rod i of facet N at the clock time t on the four days",
-    latex=r"l_{i,N}(t)",
+    latex="l",
 )  # fmt: skip
 
 # ---- The height of the dish ----
@@ -56,11 +56,16 @@ p.equation(
     claims=z_O,
     printed={"all weights 1": lengths, "all weights 1/3": lengths / 3},
 )
+sum_slope = p.define(
+    "sum_slope", on_days(partial(lengths, z_O)), because="The sum of a facet's rods on the four days, differentiated by the height.",
+    meaning="slope of the sum of a facet's rods in z_O, on the four days",
+    latex=r"\Sigma_z",
+)  # fmt: skip
 objective = "z_O-H = min sum lambda_i,N f(l_i,N, t), 2000 <= l_i,N <= 4000, 9 <= t <= 16"
 p.between(
     "35'",
     objective,
-    on_days(partial(lengths, z_O)),
+    sum_slope,
     0,
     0,
     words="the slope of the sum of a facet's rods in z_O, 0 at a minimum between the bounds,",
@@ -72,7 +77,7 @@ p.extremes(
     2,
     None,
     to="0.001",
-    words="the shortest rod, at its bound where the sum is least,",
+    words="the length of the rods, the shortest at its bound where the sum is least,",
 )
 p.extremes(
     "shortest, longest",
@@ -96,7 +101,13 @@ p.between(
     "59 deg",
     "a passive composite spherical joint with a limit range of (-59 deg - 59 deg), which can "
     "realize solar trajectory tracking from 9:00 am to 16:00 pm",
-    on_days(dish["s"]) / degree,
+    p.define(
+        "s_day",
+        on_days(dish["s"]) / degree,
+        because="The inferred set, on the four days.",
+        meaning="angle of S-joint i of facet N from the normal, in degrees",
+        latex="s",
+    ),
     0,
     59,
     words="the angle of the S-joints from the facet's normal on the four days, in degrees,",
@@ -104,43 +115,46 @@ p.between(
 
 # ---- What the model of the paper errs ----
 
-l_true, z_M = dish["l_rod"], dish["z_M"]
-
-
-R_P = H_T_P.rotation
-p.between(
-    "rods in {H}",
-    "calculate the length of the 3-RPS telescopic rod",
-    on_days(
-        (vector(x_14, y_15, z_M) + carried.rotation @ (r_m * u) - H_T_P.position
-         - R_P @ (r_b * u)).norm() - l_true
+R_P, joint = H_T_P.rotation, r_m * u
+base = H_T_P.position + R_P @ (r_b * u)
+for key, name, words, rod in (
+    (
+        "rods in {H}",
+        "Delta_H",
+        "the error of a rod by (13) to (18) as printed",
+        vector(x_14, y_15, dish["z_M"]) + carried.rotation @ joint - base,
     ),
-    0,
-    0,
-    words="the error of a rod by (13) to (18) as printed",
-)  # fmt: skip
-p.between(
-    "rods in {P}",
-    "calculate the length of the 3-RPS telescopic rod",
-    on_days((vector(x_P, y_P, z_M) + turned @ (r_m * u) - r_b * u).norm() - l_true),
-    0,
-    0,
-    words="the error of a rod by (13) to (18), with (14) and (15) read in {P},",
-)
-p.between(
-    "rods by (13)",
-    "calculate the length of the 3-RPS telescopic rod",
-    on_days((carried.position + carried.rotation @ (r_m * u) - H_T_P.position
-             - R_P @ (r_b * u)).norm() - l_true),
-    0,
-    0,
-    words="the error of a rod by (13), (17) and (18) alone",
-)  # fmt: skip
+    (
+        "rods in {P}",
+        "Delta_P",
+        "the error of a rod by (13) to (18), with (14) and (15) read in {P},",
+        vector(x_P, y_P, dish["z_M"]) + turned @ joint - r_b * u,
+    ),
+    (
+        "rods by (13)",
+        "Delta_O",
+        "the error of a rod by (13), (17) and (18) alone",
+        carried.position + carried.rotation @ joint - base,
+    ),
+):
+    error_of_rod = p.define(
+        name, on_days(rod.norm() - dish["l_rod"]), because="Less the true length.",
+        meaning=words.strip(","), latex=rf"\Delta l_{{{name[-1]}}}",
+    )  # fmt: skip
+    p.between(
+        key, "calculate the length of the 3-RPS telescopic rod", error_of_rod, 0, 0, words=words
+    )
 p.between(
     "tangent point",
     "the moving platform of the 3-RPS is on the tangent plane of the rotating paraboloid and point "
     "M is the tangent point of the two planes",
-    on_days(dish["off_dish"].norm()),
+    p.define(
+        "off_day",
+        on_days(dish["off_dish"].norm()),
+        because="The inferred set, on the four days.",
+        meaning="distance of M from the point of the dish",
+        latex=r"\Delta M",
+    ),
     0,
     0,
     words="the distance of M from the point of the dish",

@@ -161,7 +161,7 @@ p.equation(
 
 # ---- The four days ----
 
-date = p.index("date", 4)
+date = p.index("date", 4, letter="n")
 number_of_day = p.constant(
     "n_day", (80, 172, 266, 355), "number of the day in the year", per=date, latex="n"
 )
@@ -202,11 +202,23 @@ p.between(
 )
 h_day = p.define(
     "h_day", on(altitude, number_of_day) / degree, because="(28) to (34), mended.",
-    meaning="altitude of the sun at the site on the four days, in degrees", latex=r"\alpha_{s,n}",
+    meaning="altitude of the sun at the site on the four days, in degrees", latex=r"\alpha_s",
 )  # fmt: skip
 g_day = p.define(
     "g_day", on(from_south, number_of_day) / degree, because="(29) to (34), mended.",
-    meaning="azimuth of the sun at the site on the four days, in degrees", latex=r"\gamma_{s,n}",
+    meaning="azimuth of the sun at the site on the four days, in degrees", latex=r"\gamma_s",
+)  # fmt: skip
+
+
+h_rate = p.define(
+    "h_rate", 180 / PI * partial(on(altitude, number_of_day), t),
+    because="The altitude, differentiated by the clock, in degrees an hour.",
+    meaning="rate of that altitude, in degrees an hour", latex=r"\dot\alpha_s",
+)  # fmt: skip
+g_rate = p.define(
+    "g_rate", 180 / PI * partial(on(from_south, number_of_day), t),
+    because="The azimuth, differentiated by the clock, in degrees an hour.",
+    meaning="rate of that azimuth, in degrees an hour", latex=r"\dot\gamma_s",
 )  # fmt: skip
 
 
@@ -220,11 +232,10 @@ def g_on(k):
     return at(g_day, date, k)
 
 
-shown = "Fig. 4, which shows that the change law of alpha_s in a day "
 p.between(
     "morning",
-    shown + "increases gradually in the morning, reaches its peak at noon",
-    180 / PI * partial(on(altitude, number_of_day), t),
+    "the change law of alpha_s in a day increases gradually in the morning",
+    h_rate,
     0,
     None,
     words="the rate of the altitude before 12 o'clock, in degrees an hour,",
@@ -232,8 +243,8 @@ p.between(
 )
 p.between(
     "afternoon",
-    shown + "reaches its peak at noon and decreases in the afternoon",
-    180 / PI * partial(on(altitude, number_of_day), t),
+    "[alpha_s] reaches its peak at noon and decreases in the afternoon",
+    h_rate,
     None,
     0,
     words="the rate of the altitude after 12 o'clock, in degrees an hour,",
@@ -261,7 +272,7 @@ p.between(
 p.between(
     "monotonic",
     "The variation of gamma_s in a day presents a monotonic decreasing trend",
-    180 / PI * partial(on(from_south, number_of_day), t),
+    g_rate,
     None,
     0,
     words="the rate of the azimuth, in degrees an hour,",
@@ -277,7 +288,7 @@ p.between(
 )
 p.between(
     "azimuth at the equinoxes",
-    "[gamma_s] at the spring and autumn equinoxes are almost equal",
+    "[gamma_s:] the values at the spring and autumn equinoxes are almost equal",
     absolute(g_on(SPRING) - g_on(AUTUMN)),
     0,
     tenth * absolute(g_on(SUMMER) - g_on(WINTER)),

@@ -6,6 +6,7 @@ from hypothesis import given
 
 from armillary import (
     absolute,
+    arccos,
     arcsin,
     atan2,
     cos,
@@ -46,6 +47,7 @@ SCALAR_RULES = {
     "cosine": cos(x * y),
     "atan2": atan2(sin(x), 3 + y),
     "arc sine": arcsin("0.9" * sin(x * y)),
+    "arc cosine": arccos("0.9" * sin(x * y)),
     "absolute": absolute(y) * x,
     "select": where(x < y, sin(x), cos(y)),
     "component": turned.y,

@@ -33,11 +33,13 @@ def test_structure_is_kept():
     assert isinstance(a - a, s.Add)
 
 
-def test_an_arc_sine_keeps_its_digits_near_its_ends():
+def test_an_arc_sine_or_cosine_keeps_its_digits_near_its_ends():
     near = 1 - 1e-14
     angle = Explicit()(s.arcsin(number(near)).explicit())
     assert float(sympy.N(angle, 30)) == float(sympy.N(sympy.asin(number(near).value), 30))
     assert isinstance(s.arcsin(a), s.ArcSine)
+    angle = Explicit()(s.arccos(number(near)).explicit())
+    assert float(sympy.N(angle, 30)) == float(sympy.N(sympy.acos(number(near).value), 30))
 
 
 def test_matrices_are_written_row_by_row():

@@ -2,7 +2,7 @@
 
 import pytest
 
-from armillary import Derivation, Twist, Wrench, arcsin, sqrt, vector
+from armillary import Derivation, Twist, Wrench, arccos, arcsin, sqrt, vector
 from armillary.derivation.units import (
     KILOGRAM,
     METRE,
@@ -47,10 +47,13 @@ def test_what_does_not_fit(expression):
         UnitOf()(expression)
 
 
-def test_an_arc_sine_takes_a_ratio():
+def test_an_arc_sine_or_cosine_takes_a_ratio():
     assert UnitOf()(arcsin(L / W)) == RADIAN
     with pytest.raises(UnitError, match="arc sine of a quantity in m"):
         UnitOf()(arcsin(L))
+    assert UnitOf()(arccos(L / W)) == RADIAN
+    with pytest.raises(UnitError, match="arc cosine of a quantity in m"):
+        UnitOf()(arccos(L))
 
 
 def test_zero_fits_everywhere():

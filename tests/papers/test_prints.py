@@ -22,8 +22,13 @@ NUMBERS = {
         "1", "2", "3", "4", "5", "5'", "6", "7", "8", "9", "10", "11", "11'", "12", "13", "14",
         "15", "16", "17", "18", "19", "20",
     ],
+    "mo2023": [str(k) for k in range(1, 40)],
 }  # fmt: skip
-NAMES_ONLY = {"ky": {"04", "07"}, "musabekov2018": {"1", "2", "4"}}
+NAMES_ONLY = {
+    "ky": {"04", "07"},
+    "musabekov2018": {"1", "2", "4"},
+    "mo2023": {"10", "12", "19", "36", "39", "steady error"},
+}
 
 
 @pytest.fixture(scope="module")
@@ -214,10 +219,101 @@ def test_names_against_products(found):
     assert "rank 2" in lebian.says
 
 
+# -- Mo et al. -------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def mo(found):
+    return found["mo2023"]
+
+
+def bad_places(finding):
+    """The entries that fail, of a print with one reading."""
+    (read,) = finding.readings
+    return {(e.row, e.column) for e in read.entries if e.verdict is not Verdict.HOLDS}
+
+
+def test_an_element_that_repeats_another(mo):
+    finding = mo["13 elements"]
+    assert finding.verdict is Verdict.MISPRINT
+    assert bad_places(finding) == {(3, 2)}
+    (repair,) = repairs(finding)
+    assert (repair.kind, repair.words) == ("copy", "repeats entry (2, 3)")
+    assert mo["cosines"].verdict is Verdict.WRONG  # with that element n, o, a are no axes
+
+
+def test_a_row_of_cosines(mo):
+    assert bad_places(mo["8"]) == {(2, 1), (2, 4)}
+    assert {r.words for r in repairs(mo["8"])} == {"sin for cos of phi"}
+
+
+@pytest.mark.parametrize("key", ["planes", "from the planes"])
+def test_the_frame_in_which_the_planes_stand(mo, key):
+    assert mo[key].verdict is Verdict.WRONG
+    (repair,) = repairs(mo[key])
+    assert (repair.kind, repair.words) == ("frame", "true of the components in {P}")
+
+
+def test_a_condition_that_is_not_imposed(mo):
+    """The planes give three conditions; two are solved for x and y, and the third fails."""
+    assert mo["14, 15 from (13)"].verdict is Verdict.HOLDS
+    assert mo["third plane"].verdict is Verdict.WRONG
+    assert mo["joints"].readings[0].worst > 0.1
+    assert repairs(mo["13"])[0].words == "holds only where beta = 0"
+    assert repairs(mo["14 in {P}"])[0].words == "holds only where beta = 0"
+    assert {mo[key].verdict for key in ("14", "15", "13'")} == {Verdict.WRONG}
+
+
+def test_the_sign_of_the_horizontal_direction(mo):
+    assert mo["axis by (16)"].verdict is Verdict.HOLDS
+    finding = mo["axis by (16), (29)"]
+    assert finding.verdict is Verdict.SIGN
+    assert bad_places(finding) == {(1, 1), (2, 1)}
+    assert verdicts(mo["16"]) == {
+        "gamma_s from the north, clockwise": Verdict.HOLDS,
+        "gamma_s by (29), from the south": Verdict.SIGN,
+    }
+    assert repairs(mo["29'"])[0].words == "what is derived and 180 deg more"
+
+
+def test_misprints_of_rates(mo):
+    assert bad_places(mo["23'"]) == {(3, 1)}  # the height depends on alpha
+    assert bad_places(mo["23''"]) == {(1, 1), (3, 1)}
+    assert [r.words for r in repairs(mo["23''"])] == ["k_3 for k_1"]
+    assert repairs(mo["25"])[0].words.startswith("dish_3rps-Omega_O")
+    assert [r.words for r in repairs(mo["27"])] == ["z_dot for z_O"]
+    assert bad_places(mo["17"]) == {(4, 1)}
+
+
+def test_numbers_and_units_of_the_almanac(mo):
+    wanted = {
+        "30": "0.002697 for 0.002679",
+        "32": "E_t divided by 60",
+        "34": "0.040849 for 0.0409",
+        "3": "x_m for y_m",
+        "from {P} to {H}": "Rz(-(phi - pi)) turning the other way",
+    }
+    assert {key: repairs(mo[key])[0].words for key in wanted} == wanted
+
+
+def test_claims_of_the_days(mo):
+    held = ("solstices", "shortest, longest", "two sections", "rod 1")
+    assert {mo[key].verdict for key in held} == {Verdict.HOLDS}
+    failed = ("monotonic", "afternoon", "59 deg", "four extremes", "35", "35'", "35''")
+    assert {mo[key].verdict for key in failed} == {Verdict.WRONG}
+    assert 20 < mo["59 deg"].readings[0].worst < 35  # degrees beyond the cone
+    assert 0.1 < mo["rods in {H}"].readings[0].worst < 0.3
+    assert 0.03 < mo["rods in {P}"].readings[0].worst < 0.1
+
+
 HOLD = {
     "ky": ["02", "03", "05", "06", "08", "10", "13", "14", "17", "18", "20", "21", "antisymmetric"],
     "musabekov2018": ["3", "5", "5'", "10", "12", "12'", "15", "18'", "19", "clockwise"],
-}
+    "mo2023": [
+        "1", "2", "4", "5", "6", "7", "9", "11", "11'", "16'", "16''", "18", "20", "21", "22",
+        "23'''", "28", "29", "31", "33", "37", "14, 15 from (13)", "morning", "two sections",
+    ],
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("name", HOLD)

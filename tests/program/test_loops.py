@@ -239,6 +239,17 @@ def test_a_long_iteration_needs_no_deep_stack():
     same(numbers(program), numbers(unrolled(program)))
 
 
+def test_what_needs_itself_is_refused():
+    b = Hand()
+    z = b.phi(b.x, turn, "z")
+    b.carry(z, b.add(b.y, b.element(b.sin(z), turn, 4)))
+    program = program_of(b, {"r": ([b.element(b.sin(z), turn, 4)], [])})
+    with pytest.raises(ValueError, match="needs itself"):
+        evaluate(program, POINT, Floats())
+    with pytest.raises(ValueError, match="no order of loops"):
+        schedule(program)
+
+
 def test_the_digest_tells_loops_apart():
     def made(index, following):
         b = Hand()

@@ -9,6 +9,7 @@ from armillary import (
     X,
     Y,
     Z,
+    arccos,
     arcsin,
     atan2,
     cos,
@@ -60,6 +61,7 @@ def test_scalars_read_as_on_paper(d):
         2 * PI * x / 365: r"\frac{2\,\pi\,x}{365}",
         sin(x + y): r"\sin \left(x + y\right)",
         arcsin(x / y): r"\arcsin\left(\frac{x}{y}\right)",
+        arccos(x / y): r"\arccos\left(\frac{x}{y}\right)",
         wrap(x): r"\operatorname{wrap}\left(x\right)",
         full_turn(x): r"x \bmod 2 \pi",
         where(

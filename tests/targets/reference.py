@@ -33,7 +33,7 @@ def spoilt(program, count, dtype=np.float64, seed=4):
         faults = (NAN, INF, -INF, 2 * high + 1, low - abs(low) - 1, 1e30)
         place = found[q.name]
         if q.shape:
-            place[row, stream.integers(3)] = stream.choice(faults)
+            place[row, stream.integers(q.shape[0])] = stream.choice(faults)
         else:
             place[row] = stream.choice(faults)
     return found

@@ -21,6 +21,7 @@ from armillary import (
     vector,
     where,
 )
+from tests.targets import stress_loops
 
 LONG = "angle_of_the_second_axis_of_the_collector_seen_from_below"
 BECAUSE = "it is asked for"
@@ -160,3 +161,4 @@ def attitudes() -> Derivation:
 
 
 SYSTEMS = {make.__name__: make for make in (stress, answers, names, bare, attitudes)}
+SYSTEMS |= stress_loops.SYSTEMS

@@ -3,9 +3,9 @@
 import pytest
 
 from armillary.program.cost import cost
-from armillary.program.program import Op
+from armillary.program.program import Op, results_length
 from armillary.program.sample import sample_points
-from armillary.targets.c import function_name, params_type
+from armillary.targets.c import function_name, params_type, state_type
 from benchmarks.count.count import run_source
 from tests.targets.compilers import needs
 
@@ -29,13 +29,26 @@ def test_stated_cost_is_what_runs(printed):
                     field = f"{q.name}[{k}]" if q.shape else q.name
                     setup += f"p.{field} = in[{len(values)}]; "
                     values.append(float(point[q.name][k] if q.shape else point[q.name]))
+        states = {q.name: q for q in kernel.states}
+        if kernel.stateful:
+            setup += f"{state_type(kernel, target, 'f64')} state = {{}}; "
+        if kernel.stateful == "update":
+            arguments.append("&state")
         for q in kernel.inputs:
+            if q.name in states:
+                for k, value in enumerate(point[q.name] if q.shape else [point[q.name]]):
+                    setup += f"state.{q.name}{f'[{k}]' if q.shape else ''} = in[{len(values)}]; "
+                    values.append(float(value))
+                continue
             arguments.append(f"in + {len(values)}" if q.shape else f"in[{len(values)}]")
             values += [float(x) for x in (point[q.name] if q.shape else [point[q.name]])]
         place = 0
         for result in program.results:
-            arguments.append(f"out + {place}")
-            place += len(result.entries)
+            if result.name not in states:
+                arguments.append(f"out + {place}")
+                place += results_length(result)
+        if kernel.stateful == "init":
+            arguments.append("&state")
         symbol = function_name(kernel, target, "f64")
         call = f"{setup}if ({symbol}({', '.join(arguments)}) < 0) std::abort();"
         (run,) = run_source(text, call, [values], place, [printed.c])

@@ -54,17 +54,15 @@ def extremes(paper: Paper, said: Extremes) -> Finding:
     unit = unit_of(said.value)
     told, off = [], 0.0
     for word, found, stated in (
-        ("least", float(np.nanmin(value)), said.least),
-        ("largest", float(np.nanmax(value)), said.largest),
+        ("at least", float(np.nanmin(value)), said.least),
+        ("at most", float(np.nanmax(value)), said.largest),
     ):
         if stated is not None:
             wanted = float(values(stated))
             off = max(off, abs(found - wanted))
-            told.append(
-                f"the {word} is {_precise(found, digit)} {unit}, "
-                f"stated is {_precise(wanted, digit)} {unit}"
-            )
-    says = f"Over the working ranges, of {said.words}: {'; '.join(told)}."
+            numbers = [f"{_precise(number, digit)} {unit}" for number in (found, wanted)]
+            told.append(f"{word} {numbers[0]}, stated is {numbers[1]}")
+    says = f"Over the working ranges {said.words} is {'; it is '.join(told)}."
     verdict = Verdict.HOLDS if off <= digit else Verdict.WRONG
     worst = 0.0 if verdict is Verdict.HOLDS else steady(off, 6)
     return finding_of(paper, said.key, verdict, said.quote, says, unit=unit, worst=worst)

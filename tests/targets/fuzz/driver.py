@@ -1,10 +1,12 @@
 """Writes the C program that calls every printed kernel with random inputs."""
 
+from math import prod
 from pathlib import Path
 
 import numpy as np
 
 from armillary.derivation.quantity import Kind
+from armillary.targets.c_function import must_not_overlap
 from tests.targets.conftest import Printed
 
 HARNESS = Path(__file__).parent
@@ -31,8 +33,7 @@ def driver_source(printed: Printed, precision: str, kernels: list[tuple[str, str
     systems = printed.module("_signatures").SYSTEMS
     for system, name in kernels:
         facts = systems[system]
-        kernel, parameters = facts["kernels"][name], facts["parameters"]
-        written, row = _kernel(printed, system, name, kernel, parameters, precision)
+        written, row = _kernel(printed, system, name, facts, precision)
         lines += written
         rows.append(row)
     lines += ["static const struct kernel KERNELS[] = {", *rows, "};"]
@@ -45,45 +46,70 @@ def driver_source(printed: Printed, precision: str, kernels: list[tuple[str, str
     return "\n".join(lines) + "\n"
 
 
-def _kernel(printed, system, name, facts, parameters, precision):
+def _kernel(printed, system, name, facts, precision):
     real, dtype = _REAL[precision][0], _REAL[precision][4]
-    record = printed.records[system].kernels[name]
+    program = printed.compiled[system, name].program
+    record, kernel = program.kernel, facts["kernels"][name]
     known = {q.name: q for q in (*record.inputs, *record.parameters)}
     symbol = f"{printed.target.c_prefix}{system}_{name}_{precision}"
-    sizes = dict(parameters)
-    read = [*facts["inputs"], *((q, sizes[q]) for q in facts["reads"])]
-    place, setting, arguments = 0, [], []
-    for k, (q, size) in enumerate(read):
-        if k < len(facts["inputs"]):
-            arguments.append(f"in + {place}" if size > 1 else f"in[{place}]")
+    shapes, states = dict(facts["parameters"]), dict(kernel.get("states", []))
+    read = [*kernel["inputs"], *((q, shapes[q]) for q in kernel["reads"])]
+    place, setting, arguments, answer = 0, [], [], []
+    for k, (q, shape) in enumerate(read):
+        given = k < len(kernel["inputs"])
+        if given and q not in states:
+            arguments.append(f"in + {place}" if shape else f"in[{place}]")
         else:
-            setting.append(f"  memcpy(&p.{q}, in + {place}, {size} * sizeof *in);")
-        place += size
-    if parameters:
+            struct = "state" if given else "p"
+            setting.append(f"  memcpy(&{struct}.{q}, in + {place}, {prod(shape)} * sizeof *in);")
+        place += prod(shape)
+    outputs = 0
+    for q, shape in kernel["results"]:
+        if q in states:
+            answer.append(f"  memcpy(out + {outputs}, &state.{q}, {prod(shape)} * sizeof *out);")
+        else:
+            arguments.append(f"out + {outputs}")
+        outputs += prod(shape)
+    if states:
+        first = kernel["stateful"] == "update"
+        struct = f"{printed.target.c_prefix}{system}_{kernel['controller']}_state_{precision}"
+        setting = [f"  {struct} state, before;", "  memset(&state, 0xFF, sizeof state);", *setting]
+        setting.append("  memcpy(&before, &state, sizeof state);")
+        arguments.insert(0 if first else len(arguments), "&state")
+    if facts["parameters"]:
         # What is not read is NaN, so that reading it would show.
         struct = f"{printed.target.c_prefix}{system}_params_{precision}"
         setting = [f"  {struct} p;", "  memset(&p, 0xFF, sizeof p);", *setting]
         arguments.insert(0, "&p")
-    outputs = 0
-    for _, shape in facts["results"]:
-        arguments.append(f"out + {outputs}")
-        outputs += int(np.prod(shape, dtype=int))
     assert max(place, outputs) < MOST, f"{symbol} is larger than the harness's arrays"
-    table = [_quantity(known[q], size, dtype) for q, size in read]
+    table = [_quantity(known[q], prod(shape), dtype) for q, shape in read]
     lines = [
         f"static int call_{symbol}(const {real} *in, {real} *out)",
         "{",
         "  (void)in;",
         *setting,
-        f"  return {symbol}({', '.join(arguments)});",
+        f"  const int status = {symbol}({', '.join(arguments)});",
+        *(_kept(answer) if states else []),
+        "  return status;",
         "}",
     ]
     if table:
         lines += [f"static const struct quantity of_{symbol}[] = {{", *table, "};"]
     allowed = _allowed(record, guarded=bool(read))
     of = f"of_{symbol}" if table else "NULL"
-    row = f'  {{"{symbol}", {of}, {len(table)}, {place}, {outputs}, {allowed}u, call_{symbol}}},'
-    return lines, row
+    apart = int(must_not_overlap(program))
+    row = f'  {{"{symbol}", {of}, {len(table)}, {place}, {outputs}, {apart}, '
+    return lines, f"{row}{allowed}u, call_{symbol}}},"
+
+
+def _kept(answer):
+    """A state is written if the other results are; 99 is a status that no kernel declares."""
+    return [
+        "  if (status < 0) {",
+        "    return memcmp(&before, &state, sizeof state) == 0 ? status : 99;",
+        "  }",
+        *answer,
+    ]
 
 
 def _allowed(kernel, guarded):

@@ -23,6 +23,8 @@ from armillary import (
     sqrt,
     vector,
 )
+from armillary.derivation.entries import rows_of
+from armillary.derivation.errors import DerivationError
 from armillary.verify.audit.audit import audit
 from armillary.verify.audit.verdict import Verdict
 from tests.verify.audit.papers import only
@@ -353,3 +355,40 @@ def test_a_lost_factor_a_lost_term_and_a_number(arm):
         "sin(g) L_2 times cos(u)", None, "L_1 added",
     ]  # fmt: skip
     assert second.readings[0].entries[0].repair.words == "365 for 366"
+
+
+def test_an_entry_that_repeats_another(arm):
+    rows = [list(row) for row in rows_of(arm.R)]
+    rows[2][1] = cos(arm.g) * cos(arm.u)
+    arm.p.equation("1", words="rotation", claims=arm.R, printed=matrix(*rows))
+    finding = only(arm)
+    assert finding.verdict is Verdict.MISPRINT
+    (entry,) = (e for e in finding.readings[0].entries if e.repair)
+    assert (entry.row, entry.column, entry.repair.kind) == (3, 2, "copy")
+    assert "Entry (3, 2) repeats entry (2, 2)." in finding.says
+
+
+@pytest.mark.parametrize("true", [True, False])
+def test_a_print_that_is_true_of_other_names(arm, true):
+    p, back = arm.p, elementary(Z, arm.g if not true else -arm.g)
+    tip = p.define("tip", arm.M.position, because="in the axes of the ground")
+    on_table = p.define("on_table", back @ arm.M.position, because="in those of the table")
+    p.equation(
+        "1",
+        words="x and z of the tip",
+        claims=vector(tip.x, tip.z, 0),
+        printed=vector(0, arm.L_1 + arm.L_2 * sin(arm.u), 0),
+        meant={"true of the components on the table": {tip: on_table}},
+    )
+    finding = only(arm)
+    assert finding.verdict is Verdict.WRONG
+    assert ("It is true of the components on the table." in finding.says) is true
+    assert (getattr(finding.readings[0].whole, "kind", "") == "frame") is true
+
+
+def test_what_a_name_may_mean_has_its_shape(arm):
+    with pytest.raises(DerivationError, match="another shape"):
+        arm.p.equation(
+            "1", words="x", claims=arm.M.position, printed=arm.M.position + arm.M.position,
+            meant={"q": {arm.M.position: arm.L_1}},
+        )  # fmt: skip

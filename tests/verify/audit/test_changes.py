@@ -3,7 +3,24 @@
 import numpy as np
 import pytest
 
-from armillary import Chain, Derivation, Paper, X, Y, Z, cos, elementary, number, sin, sqrt, vector
+from armillary import (
+    Chain,
+    Derivation,
+    Paper,
+    X,
+    Y,
+    Z,
+    arccos,
+    arcsin,
+    at,
+    cos,
+    elementary,
+    number,
+    sin,
+    sqrt,
+    total,
+    vector,
+)
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.verify.audit.changes import Changes
@@ -186,3 +203,40 @@ def test_plain_text_keeps_brackets_where_they_matter(d):
     assert plain(sqrt(u.x) + u.dot(u)) == "sqrt(u_x) + u . u"
     assert plain(s.where(a < b, a, b)) == "(a if a < b else b)"
     assert plain(v.unit(u + u)) == "unit(u + u)"
+
+
+def test_a_lost_sign_of_differentiation(d):
+    a, L = d.angle("a", "x"), d.length("L", "x")
+    _, words, node = next(c for c in told(L * sin(a) / a) if c[0] == "lost d")
+    assert words == "the derivative of L sin(a) by a for their quotient"
+    assert node == "L cos(a)"
+    assert not [c for c in told(L / sin(a)) if c[0] == "lost d"]  # by a symbol only
+
+
+def test_arc_functions_and_half_turns(d):
+    a, b = d.angle("a", "x"), d.angle("b", "x")
+    assert ("function", "arcsin for arccos", "arcsin(a / b)") in told(arccos(a / b))
+    assert ("function", "arccos for arcsin", "arccos(a / b)") in told(arcsin(a / b))
+    assert ("index", "b for a", "arccos(b)") in told(arccos(a), b)
+    turned = told(elementary(Z, a) @ elementary(X, b))
+    assert ("half turn", "Rz(a) turning half a turn further", "Rz(a + pi) Rx(b)") in turned
+
+
+def test_a_lost_divisor_may_be_a_number(d):
+    a, b = d.angle("a", "x"), d.angle("b", "x")
+    assert ("factor", "b divided by 60", "a + b / 60") in told(a + b, a + b / 60)
+
+
+def test_parts_of_an_index(d):
+    leg = d.index("leg", 3)
+    L, W = d.length("L", "x", per=leg), d.length("W", "x")
+    found = [(kind, words) for kind, words, _ in told(at(L, leg, 0))]
+    assert ("index", "L_2 for L_1") in found
+    assert ("index", "L_3 for L_1") in found
+    assert ("function", "cos for sin of L") in [c[:2] for c in told(total(sin(L), over=leg))]
+    # A length per leg is no candidate for a length of the whole.
+    assert [words for kind, words, _ in told(W, at(L, leg, 0)) if kind == "index"] == []
+
+
+def test_decimals_are_told_with_a_point():
+    assert [plain(number(x)) for x in ("0.040849", "0.5", "1/3")] == ["0.040849", "1/2", "1/3"]

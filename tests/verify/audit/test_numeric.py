@@ -18,7 +18,7 @@ from armillary import (
     sqrt,
     where,
 )
-from armillary.algebra import direction, rotation, scalar, vector
+from armillary.algebra import direction, indexed, iteration, rotation, scalar, vector
 from armillary.algebra.direction import AzimuthCosine, AzimuthSine, ElevationTangent
 from armillary.derivation.entries import rows_of
 from armillary.verify.audit.numbers import Digits, Doubles
@@ -90,7 +90,7 @@ RULES = vars(Values)["value"].dispatcher
 def test_every_node_has_values(d):
     """A node that is added without a rule, and knows no explicit form, is found here."""
     open_ = []
-    for module in (scalar, vector, direction, rotation):
+    for module in (scalar, vector, direction, rotation, indexed, iteration):
         for cls in vars(module).values():
             bases = (scalar.Scalar, scalar.Condition, vector.Vector)
             if inspect.isclass(cls) and issubclass(cls, bases) and cls not in bases:
