@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from copy import copy
 from functools import singledispatchmethod
 from itertools import islice
+from typing import Any
 
 import sympy
 
@@ -181,9 +182,10 @@ class Explicit:
     @translate.register
     def _(self, node: s.Select) -> sympy.Basic:
         condition = self(node.condition)
-        pieces = (self(node.then), condition), (self(node.otherwise), True)
-        # SymPy would simplify the condition, which takes minutes for one that is long.
-        return sympy.Piecewise(*pieces, evaluate=_is_short(condition))
+        then, otherwise = self(node.then), self(node.otherwise)
+        if _is_short(condition):
+            return sympy.Piecewise((then, condition), (otherwise, True))
+        return _Chosen(condition, then, otherwise)
 
     @translate.register
     def _(self, node: s.Component) -> sympy.Basic:
@@ -294,6 +296,16 @@ class Explicit:
     @translate.register
     def _(self, node: Matrix) -> sympy.Basic:
         return sympy.Matrix([[self(entry) for entry in row] for row in node.rows])
+
+
+class _Chosen(sympy.Expr):
+    """One of two values by a long condition, which is left as it is: SymPy would take minutes."""
+
+    is_real = is_commutative = True
+
+    def _mpmathcode(self, printer: Any) -> str:
+        condition, then, otherwise = map(printer._print, self.args)
+        return f"(({then}) if ({condition}) else ({otherwise}))"
 
 
 def _is_short(form: sympy.Basic) -> bool:

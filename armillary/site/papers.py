@@ -34,7 +34,8 @@ MEANINGS = {
     Verdict.HOLDS: "equal to what is derived, for all values",
     Verdict.ORDER: "equal up to products of more small quantities than the number says",
     Verdict.MISPRINT: "a small change makes it hold: another function, index, symbol, axis "
-    "or word, a lost dot, a term or factor dropped or doubled, rows and columns exchanged",
+    "or word, a lost dot, a term or factor dropped or doubled, rows and columns exchanged, an "
+    "entry printed twice",
     Verdict.SIGN: "the smallest change that makes it hold is a sign",
     Verdict.WRONG: "no small change makes it hold; where it holds all the same is said",
     Verdict.AMBIGUOUS: "it can be read in several ways, and their verdicts differ",

@@ -49,38 +49,39 @@ class Loop:
         self.plant, self.shape, self.forward, self.steps = plant, shape, forward, steps
         self.machine = build(shape, plant.facet, plant.rod, law["T_S"] / steps, plant.gravity)
         self.law = Law(native, law, (RODS,))
+        self.read = plant.read
         self.record = Record()
         self.begun = False
 
     def begin(self, way):
         """At rest at the first pose of the way; no force acts yet."""
         lengths = stand(self.machine, self.shape, way.attitudes[0], way.origins[0])
-        self.law.start(self.plant.read(lengths.ravel()))
+        self.law.start(self.read(lengths.ravel()))
         self.begun = True
 
     def follow(self, way, wind=None):
         """Go a stretch of the way; `wind` pushes the facets along their normals, (n, 4), N."""
         if not self.begun:
             self.begin(way)
-        step = need("mujoco").mj_step
-        model, data = self.machine.model, self.machine.data
         wanted, rates = (a.reshape(-1, RODS) for a in (way.lengths, way.rates))
         ahead = way.forces.reshape(-1, RODS) * float(self.forward)
-        errors, forces = np.empty_like(wanted), np.empty_like(wanted)
+        lengths, forces = np.empty_like(wanted), np.empty_like(wanted)
         normals = np.empty((-(-len(wanted) // STRIDE), FACETS, 3))
-        slides, bodies, law = self.machine.slides, self.machine.bodies, self.law
+        step, model, data = need("mujoco").mj_step, self.machine.model, self.machine.data
+        qpos, ctrl, xmat = data.qpos, data.ctrl, data.xmat  # views of MuJoCo's own memory
+        slides, bodies, law, read = self.machine.slides, self.machine.bodies, self.law, self.read
         for k in range(len(wanted)):
-            lengths = data.qpos[slides]
-            np.subtract(wanted[k], lengths, out=errors[k])
-            forces[k] = data.ctrl[:] = law(wanted[k], rates[k], self.plant.read(lengths), ahead[k])
+            here = lengths[k]
+            qpos.take(slides, 0, here, "clip")
+            ctrl[:] = forces[k] = law(wanted[k], rates[k], read(here), ahead[k])
             if wind is not None:
                 blow(self.machine, wind[k])
             # A step begins with the pose before it, and leaves the bodies there.
             step(model, data, self.steps)
             if k % STRIDE == 0:
-                normals[k // STRIDE] = data.xmat[bodies, 2::3]
+                normals[k // STRIDE] = xmat[bodies, 2::3]
         self.record.time.append(way.time)
-        self.record.errors.append(errors)
+        self.record.errors.append(wanted - lengths)
         self.record.forces.append(forces)
         self.record.looks.append(way.time[::STRIDE])
         self.record.tilts.append(apart(normals, way.normals[::STRIDE]))

@@ -56,7 +56,10 @@ class Plant:
 
     def read(self, length):
         """Lengths in m as the encoder tells them."""
-        return np.rint(length / self.encoder) * self.encoder
+        told = length / self.encoder
+        np.rint(told, told)
+        told *= self.encoder
+        return told
 
 
 def nominal(parameters):

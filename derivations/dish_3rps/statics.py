@@ -3,7 +3,6 @@
 from armillary import (
     Twist,
     Wrench,
-    absolute,
     at,
     determinant,
     number,
@@ -67,7 +66,7 @@ det = d.define(
 )
 loose = d.define(
     "loose",
-    ~(absolute(det) > statics_tolerance * (r_m * r_m)),
+    ~(det * det > (statics_tolerance * r_m * r_m) ** 2),
     because="It has the size of r_m squared where the rods stand well.",
     meaning="whether the rods do not hold the facet",
 )

@@ -88,8 +88,8 @@ def the_plant(parameters, plants):
         "the rod's own weight along its lean. The law is the exported kernel "
         "`rod_control_update`, its compiled C called once a sampling period for twelve rods; it "
         "hears the length that the encoder tells. It drives the multibody model, and nothing else "
-        "in the loop knows the model. **The paper gives no mass, no friction, no drive and no encoder: all of these are "
-        "ours.**"
+        "in the loop knows the model. **The paper gives no mass, no friction, no drive and no "
+        "encoder: all of these are ours.**"
     )
     yield ParameterTable("The plant, its corner, the gust and the law.",
                          ["plant", "corner", "gust", "control"])  # fmt: skip

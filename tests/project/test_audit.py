@@ -187,6 +187,13 @@ def test_an_edit_of_a_system_outdates_its_papers(printed: Project):
     assert {f.key: f.verdict for f in anew.findings}["2"] is Verdict.HOLDS
 
 
+def test_an_edit_of_a_systems_numbers_outdates_its_papers(printed: Project):
+    audit(printed, ("smith",), lambda line: None)
+    paper = load_paper(printed.derivations / "papers" / "smith.py")
+    (printed.derivations / "mast" / "parameters.toml").write_text("# none yet\n", "utf-8")
+    assert kept.current(paper, kept.read(printed.root)) is None
+
+
 def test_other_papers_stay_and_those_without_a_file_go(printed: Project):
     audit(printed, ("jones",), lambda line: None)
     audit(printed, ("smith",), lambda line: None)

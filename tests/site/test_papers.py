@@ -341,3 +341,48 @@ def test_without_papers_there_is_neither_page_nor_section(root: Path):
     site = build_site(root)
     assert not list((root / "docs" / "papers").glob("*.md"))
     assert "Papers" not in (site / "index.html").read_text("utf-8")
+
+
+MORE = """
+from armillary import Paper, at, sin, vector
+paper = p = Paper("smith", title="On masts")
+mast = p.use("mast")
+tilt, arm = mast.quantity("tilt"), mast.quantity("arm")
+stay = p.index("stay", 3)
+offset = p.constant("offset", (0, 1, 2), "where a stay is tied", per=stay)
+pull = p.define("pull", sin(tilt + offset), because="Each stay pulls by its own.", latex="P")
+many = pull
+for k in range(15):
+    for _ in range(10):
+        many = many * sin(tilt + k)
+    many = many + pull
+p.define("many", many, because="In words.", latex="L")
+p.between("low", "never less", pull, -1, None, words="the pull")
+p.extremes("ends", "from ... to", pull, -1, 1, to="0.1", words="the pull")
+p.extremes("top", "at most", pull, None, 1, to="0.1", words="the pull")
+p.least_moved("still", "stay 2 moves least", pull, over=stay, part=1, words="the pull")
+p.equation("one", words="the first pull", claims=sin(tilt), printed=at(pull, stay, 0))
+"""
+
+
+def test_sentences_on_what_a_value_takes(root):
+    (root / "derivations" / "papers" / "smith.py").write_text(MORE, "utf-8")
+    (page,) = (
+        paper_page(one, REFERENCE) for one in audited_papers(root) if one.paper.name == "smith"
+    )
+    formulas = re.findall('data-tex="([^"]*)"', page)
+    for wanted in (
+        r"-1 \le P_{i}", r"\min P_{i} = -1", r"\max P_{i} = 1",
+        r"\min_{i} \left(\max P_{i} - \min P_{i}\right)\text{ at } i = 2",
+    ):  # fmt: skip
+        assert wanted in formulas, wanted
+    assert formulas.count(r"\min P_{i} = -1") == 1  # the sentence on the largest names no least
+
+
+def test_a_name_that_no_reader_would_follow_is_told_in_words(root):
+    (root / "derivations" / "papers" / "smith.py").write_text(MORE, "utf-8")
+    (one,) = (a for a in audited_papers(root) if a.paper.name == "smith")
+    page = paper_page(one, REFERENCE)
+    assert 'data-tex="L_{i}"' in page
+    assert "In words." in page
+    assert r'data-tex="P_{i} = \sin' in page

@@ -1,8 +1,10 @@
 """The compiled C from Python: the same functions, the same answers."""
 
+import gc
 import os
 import subprocess
 import sys
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -114,9 +116,114 @@ def test_parameters_that_are_not_read_are_accepted(printed):
     assert native.lengths(v=np.ones(3), unread=None).status == 0
 
 
+# -- prepared calls -------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("system", [*SYSTEMS, "heliostat"])
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+def test_a_prepared_call_answers_like_a_call(printed, system, dtype):
+    for native, _, program in kernels(printed, system):
+        inputs = spoilt(program, POINTS, dtype)
+        call = native.prepare(**inputs)
+        assert set(call.inputs) == set(inputs)
+        call.run()
+        wanted = native(**inputs)
+        assert type(call.results) is type(wanted)
+        states = {q.name for q in program.kernel.states}
+        for name, a, b in zip(wanted._fields, call.results, wanted, strict=True):
+            assert (a.dtype, a.shape) == (b.dtype, b.shape)
+            rows = wanted.status >= 0 if name in states else slice(None)
+            assert np.array_equal(a[rows], b[rows], equal_nan=True)
+
+
+def test_a_prepared_call_reads_its_arrays_anew(printed):
+    native = printed.module("native").loops
+    call = native.rods.prepare(l=np.ones((5, 3)), x=1.0, turn=np.zeros(5), R=[0.1, 0.2, 0.3])
+    call.inputs["l"][:, 1] = 2.0
+    call.inputs["x"][...] = 0.5
+    call.run()
+    wanted = native.rods(l=[1.0, 2.0, 1.0], x=0.5, turn=np.zeros(5), R=[0.1, 0.2, 0.3])
+    assert np.array_equal(call.results.rod, wanted.rod)
+    call.inputs["l"][3, 0] = np.nan
+    call.run()
+    assert call.results.status.tolist() == [0, 0, 0, -1, 0]
+    assert np.isnan(call.results.rod[3]).all()
+
+
+def test_a_prepared_call_allocates_nothing(printed):
+    run = printed.module("native").bare.root.prepare(x=np.linspace(0, 1, 12)).run
+    run()
+    tracemalloc.start()
+    for _ in range(1000):
+        run()
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 4096
+
+
+def test_the_run_of_a_prepared_call_outlives_it(printed):
+    call = printed.module("native").bare.root.prepare(x=np.linspace(0, 1, 1000))
+    run, results = call.run, call.results
+    del call
+    gc.collect()
+    run()
+    assert results.r[-1] == 1.0
+
+
+# -- states ---------------------------------------------------------------------------------------
+
+
+def test_a_prepared_update_goes_on_where_it_ended(printed):
+    native, module = printed.module("native").keepers, printed.module("keepers")
+    each = np.linspace(-1, 1, 12).reshape(4, 3)
+    begun = native.array_init(each=each)
+    call = native.array_update.prepare(each=each, gain=0.25, several=begun.several, last=begun.last)
+    assert call.results.several is call.inputs["several"]
+    several, last = begun.several, begun.last
+    for _ in range(3):
+        call.run()
+        wanted = module.array_update(each=each, gain=0.25, several=several, last=last)
+        several, last = wanted.several, wanted.last
+        for found, exact in zip(call.results, wanted, strict=True):
+            assert np.allclose(found, exact, rtol=1e-14, atol=1e-14)
+
+
+def test_a_state_is_left_as_it_was_where_the_status_is_negative(printed):
+    update = printed.module("native").keepers.array_update
+    given = {"gain": 0.25, "several": np.zeros((2, 3)), "last": 0.5}
+    call = update.prepare(each=[[0.5, 0.5, 0.5], [0.5, 1.5, 0.5]], **given)
+    call.run()
+    assert call.results.status.tolist() == [0, -3]
+    assert call.inputs["several"].tolist() == [[0.125] * 3, [0.0] * 3]
+    assert call.inputs["last"].tolist() == [0.0, 0.5]
+    assert np.isnan(call.results.moved[1]).all()
+    # A plain call keeps nothing: its states are results like the others.
+    assert np.isnan(update(each=[0.5, 1.5, 0.5], **given).several).all()
+
+
+def test_a_state_that_was_one_number_is_one_for_each_point(printed):
+    update = printed.module("native").keepers.simple_update
+    call = update.prepare(given=np.array([0.5, -0.5]), gain=0.5, last=0.0, so_far=0.0)
+    for _ in range(2):
+        call.run()
+    assert call.results.last.tolist() == [0.5, -0.5]
+    assert call.results.so_far.tolist() == [-0.25, 0.25]
+
+
+def test_states_trade_places(printed):
+    for module in (printed.module("native").keepers, printed.module("keepers")):
+        found = module.exchange_update(each=[1.0, 2.0, 3.0], one=[0.1, 0.2, 0.3], other=[4, 5, 6])
+        assert found.one.tolist() == [4.0, 5.0, 6.0]
+        assert found.other.tolist() == pytest.approx([1.1, 2.1, 3.1])
+        assert found.before.tolist() == [0.1, 0.2, 0.3]
+        assert found.first == 4.0
+
+
 def test_functions_are_documented(printed):
     native, module = printed.module("native"), printed.module("bare")
     assert native.bare.root.__doc__ == module.root.__doc__
+    assert "allocated" in native.Prepared.__doc__
+    assert "Prepared" in native.bare.root.prepare.__doc__
     assert {"bare", "stress"} <= set(dir(native))
 
 

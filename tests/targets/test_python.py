@@ -222,6 +222,31 @@ def test_a_rotation_of_another_shape_is_named(printed, R):
             module.parts(R=R, Q=np.eye(3))
 
 
+@pytest.mark.parametrize("wrong", [1.0, np.zeros(2), np.zeros((3, 2))])
+def test_an_array_of_another_shape_is_named(printed, wrong):
+    good = {"x": 1.0, "turn": 0.0, "R": np.ones(3)}
+    for module in (printed.module("loops"), printed.module("native").loops):
+        with pytest.raises(ValueError, match="l is an array: its last axis must have length 3"):
+            module.rods(l=wrong, **good)
+        with pytest.raises(ValueError, match="v is an array: its last two axes must have length 3"):
+            module.ignored(l=np.ones(3), v=wrong)
+        with pytest.raises(ValueError, match="h is an array: its last axis must have length 2"):
+            module.grid(x=1.0, turn=0.0, h=[1.0, 2.0, 3.0])
+
+
+def test_what_runs_over_an_index_is_on_the_last_axes(printed):
+    grid = printed.module("loops").grid
+    turns, h = np.linspace(-1, 1, 5), np.array([0.25, -0.5])
+    found = grid(x=0.5, turn=turns, h=h)
+    assert [a.shape for a in found] == [(5, 3, 2), (5, 2), (5, 3), (5,), (5,)]
+    legs = np.array([0, 2, -2]) * np.pi / 3
+    tilt = np.cos(turns[:, None, None] + legs[:, None]) * h + np.array([0.5, -0.5])
+    assert np.allclose(found.tilt, tilt)
+    assert np.allclose(found.row, (tilt**2).sum(1))
+    assert np.allclose(found.column, (tilt / (2 + (tilt**2).sum(1))[:, None, :]).sum(2))
+    assert np.allclose(found.all, (tilt**2).sum((1, 2)))
+
+
 def test_parameters_that_are_not_read_are_accepted(printed):
     module = printed.module("stress")
     record = printed.records["stress"]

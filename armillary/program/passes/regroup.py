@@ -14,7 +14,7 @@ Part = tuple[Domain, list[int]]
 
 def regroup_products(program: Program) -> Program:
     """Multiply what changes least often first, where that saves multiplications."""
-    return _Regroup(program).run()
+    return _Regroup(program).run() if any(domains(program)) else program
 
 
 class _Regroup(Rewriter):

@@ -28,6 +28,7 @@ from armillary.store.files import digest, digest_of, replace_durably
 from armillary.store.lock import locked
 from armillary.targets.manifest import engine_versions
 from armillary.verify.audit.verdict import Counterexample, Entry, Finding, Read, Repair, Verdict
+from armillary.verify.parameters import NAME
 
 AUDIT = Path("build") / "audit.json"
 FORMAT = 1
@@ -66,6 +67,9 @@ def audit_digest(paper: Paper) -> str:
 
 def _files(record: Derivation) -> set[str]:
     mine = {*record.files, record.source.path}
+    # A paper may take dimensions from where the study of a system has them.
+    beside = {Path(file).with_name(NAME) for file in mine}
+    mine |= {str(file) for file in beside if file.is_file()}
     return mine.union(*(_files(used.derivation) for used in record.used.values()))
 
 
