@@ -2,13 +2,7 @@
 
 from armillary.algebra.derivative import partial, time_derivative
 from armillary.algebra.direction import atan2_or_zero, direction_angles, full_turn
-from armillary.algebra.indexed import any_of, at, one_like, total
-from armillary.algebra.iteration import solve
-from armillary.algebra.linear import determinant, solved
-from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench, hat, matrix, vee
-from armillary.algebra.rotation import Rotation, elementary
-from armillary.algebra.scalar import (
-    PI,
+from armillary.algebra.functions import (
     absolute,
     arccos,
     arcsin,
@@ -16,12 +10,17 @@ from armillary.algebra.scalar import (
     cos,
     degrees,
     hypot,
-    number,
     sin,
     sqrt,
     where,
     wrap,
 )
+from armillary.algebra.indexed import any_of, at, one_like, total
+from armillary.algebra.iteration import solve
+from armillary.algebra.linear import determinant, solved
+from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench, hat, matrix, vee
+from armillary.algebra.rotation import Rotation, elementary
+from armillary.algebra.scalar import PI, number
 from armillary.algebra.series import truncate
 from armillary.algebra.substitute import substitute
 from armillary.algebra.vector import unit, vector

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
+from armillary.algebra.functions import atan2, hypot, where
 from armillary.algebra.rotation import keeps_norms
 
 
@@ -75,19 +76,19 @@ def direction_angles(vector: v.Vector) -> tuple[s.Scalar, s.Scalar]:
 
 def atan2_or_zero(y: s.ScalarLike, x: s.ScalarLike, free: s.Condition) -> s.Scalar:
     """`atan2(y, x)`, and 0 where the angle is free: (0, 0) is not met there."""
-    return s.atan2(s.where(free, s.ZERO, y), s.where(free, s.ONE, x))
+    return atan2(where(free, s.ZERO, y), where(free, s.ONE, x))
 
 
 def full_turn(angle: s.Scalar) -> s.Scalar:
     """An angle from [-pi, pi] in [0, 2 pi); what rounds to 2 pi becomes 0."""
     turn = s.multiply(s.number(2), s.PI)
-    positive = s.where(s.Less(angle, s.ZERO), s.add(angle, turn), angle)
-    return s.where(s.Less(positive, turn), positive, s.ZERO)
+    positive = where(s.Less(angle, s.ZERO), s.add(angle, turn), angle)
+    return where(s.Less(positive, turn), positive, s.ZERO)
 
 
 def horizontal_length(vector: v.Vector) -> s.Scalar:
     """Length of a vector's projection on the xy plane."""
-    return s.hypot(vector.x, vector.y)
+    return hypot(vector.x, vector.y)
 
 
 def is_unit(node: v.Vector) -> bool:

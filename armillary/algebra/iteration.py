@@ -7,11 +7,12 @@ from dataclasses import dataclass, replace
 
 from armillary.algebra import scalar as s
 from armillary.algebra.derivative import partial
+from armillary.algebra.functions import absolute, where
 from armillary.algebra.index import Index
 from armillary.algebra.indexed import at, indices, one_like
 from armillary.algebra.linear import determinant, solved
 from armillary.algebra.misuse import MisuseError, told
-from armillary.algebra.scalar import Scalar, ScalarLike, Symbol, as_scalar, where
+from armillary.algebra.scalar import Scalar, ScalarLike, Symbol, as_scalar
 
 LARGEST = 3
 Bounds = tuple[ScalarLike, ScalarLike]
@@ -71,7 +72,7 @@ def solve(
     symbols = tuple(unknowns)
     rows, matrix = _system(residuals, symbols)
     det = determinant(matrix)
-    regular = where(s.absolute(det) > s.ZERO, det, one_like(det))
+    regular = where(absolute(det) > s.ZERO, det, one_like(det))
     steps_taken = solved(matrix, rows, regular)
     bounds = within or {}
     following = tuple(

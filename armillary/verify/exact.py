@@ -17,7 +17,7 @@ from armillary.derivation.symbols import Leaf, leaves
 from armillary.program.arithmetic import DIGITS, Dual, Duals, Reals
 from armillary.program.evaluate import Answer, evaluate
 from armillary.program.program import Program
-from armillary.verify.turning import Iterations, turnings
+from armillary.verify.turning import Iterations, replaced, turnings
 
 Row = Mapping[str, Any]
 
@@ -77,7 +77,7 @@ class Function:
         iterations: Iterations | None = None,
     ) -> None:
         exact = {symbol(c.name): c.value for c in symbols if isinstance(c, Constant)}
-        self.entries = [e.xreplace(exact) if exact else e for e in entries]
+        self.entries = [replaced(e, exact) for e in entries]
         self.quantities = [q for q in symbols if isinstance(q, AnyQuantity)]
         self._names = [symbol(part) for q in self.quantities for part in q.parts]
         self._turning = turnings(iterations or {}, self._names, exact)

@@ -28,8 +28,8 @@ class Turning:
         unknowns = [symbol(u.name) for u in given.unknowns]
         self.results = [symbol(f"{key}_{u.name}") for u in given.unknowns]
         self.turns = given.turns.size
-        start = [at(e).xreplace(exact) for e in given.start]
-        following = [at(e).xreplace(exact) for e in given.following]
+        start = [replaced(at(e), exact) for e in given.start]
+        following = [replaced(at(e), exact) for e in given.following]
         self._start = sympy.lambdify(known, start, modules="mpmath", cse=True)
         self._next = sympy.lambdify([*known, *unknowns], following, modules="mpmath", cse=True)
 
@@ -66,3 +66,17 @@ def turnings(iterations: Iterations, names: Sequence[sympy.Symbol], exact: Exact
         if key not in done:
             add(key)
     return list(done.values())
+
+
+def replaced(form: sympy.Basic, exact: Exact) -> sympy.Basic:
+    """The form with symbols replaced, each part once however often it stands in it."""
+    done: dict[sympy.Basic, sympy.Basic] = dict(exact)
+
+    def of(part: sympy.Basic) -> sympy.Basic:
+        if part not in done:
+            args = [of(a) for a in part.args]
+            same = all(a is b for a, b in zip(args, part.args, strict=True))
+            done[part] = part if same else part.func(*args)
+        return done[part]
+
+    return of(form)

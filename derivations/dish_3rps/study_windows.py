@@ -3,7 +3,7 @@
 import numpy as np
 
 from armillary.verify.engines import need
-from armillary.verify.plots import Curve, Panels, Plot
+from armillary.verify.plots import Axis, Curve, Panels, Plot
 from armillary.verify.study import Column, Heading, Prose, Result, Table
 
 from .days import FACETS, MM, clock_words
@@ -13,7 +13,7 @@ from .tracking import HALVED, IN_CORNER, PID, Stage, creep, drive, figures, outl
 NAMES = (*LAWS, IN_CORNER)
 CHECKED = 1  # the window that is run with half the step as well: with the slowest rods
 WINDOWS = ("window_1", "window_2", "window_3")
-POINTS = 300
+POINTS = 150
 HELD, CREEPING = 0.9, 4.0  # share of the friction, and s
 MINUTE = 60.0
 
@@ -71,7 +71,7 @@ def real_time(kernels, native, sun, parameters, results):
         "The largest error of the twelve rods in real time.",
         [
             Plot(
-                f"from {clock_words(start)}", "minutes", "largest error, mm",
+                f"from {clock_words(start)}", "minutes", Axis("largest error, mm", low=0.0),
                 [Curve(name, *of[name]["curve"]) for name in NAMES if name in LAWS[1:]],
             )
             for start, of in zip(tracking.windows, found, strict=True)

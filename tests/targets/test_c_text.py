@@ -85,6 +85,35 @@ def test_a_rotation_is_nine_entries(printed):
     assert "*e = R_13;" in source
 
 
+def test_a_controller_keeps_a_struct(printed):
+    header = texts(printed)["keepers.h"]
+    struct = re.search(r"typedef struct \{([^}]*)\} keepers_array_state_f64;", header)
+    assert re.findall(r"double (.*);", struct[1]) == ["several[3]", "last"]
+    assert header.count("} keepers_array_state_f64;") == 1
+    flat = " ".join(header.replace("\n *", " ").split())
+    assert (
+        "int keepers_array_init_f64( const keepers_params_f64 *p, const double each[3], "
+        "keepers_array_state_f64 *s);"
+    ) in flat
+    assert (
+        "int keepers_array_update_f64( const keepers_params_f64 *p, keepers_array_state_f64 *s, "
+        "const double each[3], double *whole, double moved[3]);"
+    ) in flat
+    assert "@param[in,out] s state of the array; untouched where the status is negative" in flat
+    assert "keepers_named_state_f32 *s_value, float given, float *wave);" in flat
+
+
+def test_arrays_of_an_index_are_told(printed):
+    flat = " ".join(texts(printed)["loops.h"].replace("\n *", " ").split())
+    assert "@param[in] l a length for each leg, for each leg, refused outside [0, 1000]" in flat
+    assert "@param[out] tilt tilt, for each leg and facet, 3 by 2, row-major" in flat
+    assert "@param[out] rows rows, for each leg, 3 by 3, row-major" in flat
+    struct = re.search(
+        r"typedef struct \{(.*?)\} loops_params_f32;", texts(printed)["loops.h"], re.S
+    )
+    assert re.findall(r"float (.*);", struct[1]) == ["R[3]", "S[9]", "h[2]", "unread[2]"]
+
+
 def test_sentences_end_once_and_comments_do_not_end_early(printed):
     for name, text in texts(printed).items():
         assert not re.search(r"@brief .*\.\.", text), name
@@ -180,7 +209,17 @@ def test_any_change_of_layout_changes_the_version(tmp_path):
 
 def test_golden(printed, golden):
     assert answers().name == "answers"
-    files = ("answers.h", "answers_both_signs_f32.c", "bare_root_f64.c", "attitudes_parts_f32.c")
+    files = (
+        *("answers.h", "answers_both_signs_f32.c", "bare_root_f64.c", "attitudes_parts_f32.c"),
+        *(
+            "loops_grid_f32.c",
+            "iterations_forward_f64.c",
+            "keepers.h",
+            "keepers_array_update_f32.c",
+        ),
+    )
     for name in files:
         golden(name, (printed.c / name).read_text("utf-8"))
-    golden("answers.py.txt", (printed.folder / "python/printed_kernels/answers.py").read_text())
+    for name in ("answers", "iterations"):
+        text = (printed.folder / f"python/printed_kernels/{name}.py").read_text()
+        golden(f"{name}.py.txt", text)

@@ -32,6 +32,8 @@ from armillary.derivation.statements import Block, Definition
 from armillary.derivation.symbols import leaves
 from armillary.mechanism.chain import Chain
 from armillary.verify.audit.audit import finding
+from armillary.verify.audit.compare import Bench
+from armillary.verify.audit.sides import sides_of
 from armillary.verify.audit.verdict import Finding, Repair, Verdict
 from tests.verify.audit.textbook import Slip, TooLong, printed_out, slips
 
@@ -55,11 +57,15 @@ def correct() -> list[tuple[Paper, Equation]]:
     book = Paper("textbook")
     book.used.update({name: Used(system) for name, system in systems.items()})
     found += [(book, equation) for equation in _printed_out(book)]
-    return [
-        (paper, equation)
-        for paper, equation in found
-        if finding(paper, equation).verdict is Verdict.HOLDS
-    ]
+    return [(paper, equation) for paper, equation in found if _holds(equation)]
+
+
+def _holds(equation: Equation) -> bool:
+    """Whether a print holds as it stands; what does not is not searched for its repair."""
+    printed = equation.readings[0].printed
+    bench = Bench((printed, equation.claims), equation.small, equation.given)
+    outcomes = sides_of(bench, printed, equation.claims).outcomes.values()
+    return all(outcome.exact for outcome in outcomes)
 
 
 def _printed_out(book: Paper) -> Iterator[Equation]:

@@ -15,6 +15,7 @@ import sympy
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.algebra.explicit import Explicit
+from armillary.algebra.functions import atan2, sqrt
 from armillary.algebra.indexed import children
 from armillary.algebra.rigid import Matrix
 from armillary.algebra.rotation import RotationSymbol
@@ -88,7 +89,7 @@ def _read(form: sympy.Expr, names: dict[str, s.Scalar]) -> s.Scalar:
     if form.is_Pow:
         base, power = form.as_base_exp()
         if power == sympy.Rational(1, 2):
-            return s.sqrt(_read(base, names))
+            return sqrt(_read(base, names))
         if power.is_Integer and power > 0:
             return _read(base, names) ** int(power)
         if power.is_negative:
@@ -97,7 +98,7 @@ def _read(form: sympy.Expr, names: dict[str, s.Scalar]) -> s.Scalar:
         of = s.sin if isinstance(form, sympy.sin) else s.cos
         return of(_read(form.args[0], names))
     if isinstance(form, sympy.atan2):
-        return s.atan2(_read(form.args[0], names), _read(form.args[1], names))
+        return atan2(_read(form.args[0], names), _read(form.args[1], names))
     raise TooLong
 
 
