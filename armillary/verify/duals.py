@@ -4,9 +4,10 @@ The evaluator differentiates the base kernel's program, operation by operation; 
 algebra made the derivative kernel's program. The two share nothing but the base kernel.
 
 Which kernel is the derivative of which is read off the names of CONVENTIONS: `velocity` and
-`jacobian` belong to `pose`, `Omega` of `velocity_x` to the rotation of `matrix_x`, and a result
-`x_dot` or `x_rate` to the result `x` of any kernel whose inputs the first one has too. A result
-that depends on rates, and whose name tells of no such pair, is reported as not covered.
+`jacobian` belong to `pose`, `Omega` of `velocity_x` to the rotation of `matrix_x`, that of
+`x_rates` to the one rotation of `x`, and a result `x_dot` or `x_rate` to the result `x` of any
+kernel whose inputs the first one has too. A result that depends on rates, and whose name tells of
+no such pair, is reported as not covered.
 """
 
 from __future__ import annotations
@@ -94,8 +95,8 @@ def _not_covered(kernel: Kernel, output: Output) -> Skipped:
         f"{output.name} of {kernel.name} is not covered",
         "dual numbers",
         f"its name does not tell what it is the derivative of: name it {known} where a kernel "
-        "pose returns the pose, Omega of velocity_x where matrix_x returns the rotation, or x_dot "
-        "or x_rate where a kernel of the same inputs returns x",
+        "pose returns the pose, Omega of velocity_x where matrix_x returns the rotation, or of "
+        "x_rates where x does, or x_dot or x_rate where a kernel of the same inputs returns x",
     )
 
 
@@ -124,7 +125,13 @@ def _is_geometric_jacobian(kernel: Kernel, output: Output, pose: Kernel) -> bool
 def _rotation_of(record: Derivation, kernel: Kernel) -> Kernel | None:
     """The kernel that returns the rotation whose velocity `kernel` returns."""
     kind, _, name = kernel.name.partition("_")
-    return record.kernels.get(f"matrix_{name}") if kind == "velocity" else None
+    if kind == "velocity":
+        return record.kernels.get(f"matrix_{name}")
+    if not kernel.name.endswith("_rates"):
+        return None
+    base = record.kernels.get(kernel.name.removesuffix("_rates"))
+    rotations = [] if base is None else [o for o in base.outputs if o.shape == (3, 3)]
+    return base if len(rotations) == 1 else None
 
 
 def _moves(kernel: Kernel, base: Kernel) -> bool:
@@ -133,10 +140,10 @@ def _moves(kernel: Kernel, base: Kernel) -> bool:
 
 
 def _rates(kernel: Kernel, base: Kernel) -> dict[str, str]:
-    """Inputs of the base, and the kernel's input that is the rate of each."""
+    """Inputs and parameters of the base, and the kernel's input that is the rate of each."""
     given = {id(q): q.name for q in kernel.inputs}
     found: dict[str, str] = {}
-    for q in base.inputs:
+    for q in (*base.inputs, *base.parameters):
         rate = q.known_rate.get("rate")
         if rate is not None and id(rate) in given:
             found[q.name] = given[id(rate)]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,14 @@ from armillary.program.program import Program
 from armillary.verify.expected import Expected, expect
 from armillary.verify.implementations import Implementation, Inputs, Results
 from armillary.verify.measured import Measured, Point, exceeds
-from armillary.verify.points import awkward_points, illegal_points, joined, random_points, rows_of
+from armillary.verify.points import (
+    awkward_points,
+    count,
+    illegal_points,
+    joined,
+    random_points,
+    rows_of,
+)
 
 POINTS = 60
 VALUES = "agrees with the evaluator at 50 digits"
@@ -28,9 +36,13 @@ class Reference:
 
     def __init__(self, program: Program, points: int = POINTS) -> None:
         self.program = program
-        kernel = program.kernel
-        legal = joined(random_points(kernel, points, seed=7), awkward_points(kernel))
-        self.points = joined(legal, illegal_points(kernel))
+        kernel, used = program.kernel, program.inputs_used()
+        unread = [q for q in kernel.parameters if q.name not in used]
+        # What a kernel does not read has no awkward value, and none that it could refuse.
+        read = replace(kernel, parameters=tuple(q for q in kernel.parameters if q not in unread))
+        awkward = joined(awkward_points(read), illegal_points(read))
+        idle = random_points(unread, count(awkward), seed=8)
+        self.points = joined(random_points(kernel, points, seed=7), {**awkward, **idle})
         self._known: dict[type[Any], tuple[dict[str, Array], list[Expected]]] = {}
 
     def at(self, implementation: Implementation) -> tuple[dict[str, Array], list[Expected]]:

@@ -33,18 +33,22 @@ from .symbols import (
 
 # ---- the surface ----
 
+_half = theta_rim / 2
 f_rim = d.define(
     "f_rim",
-    D * (1 + cos(theta_rim)) / (4 * sin(theta_rim)),
+    D * cos(_half) / (4 * sin(_half)),
     because="At the focus the rim is seen at the edge angle from the axis; the rim's distance from "
-    "the focus is its distance from the directrix, which gives f by D.",
+    "the focus is its distance from the directrix, which gives f by D. The half angle spares the "
+    "print's 1 + cos, which cancels for an edge behind the focus.",
     meaning="focal length of a dish of diameter D and edge angle theta_rim",
     latex="f_D",
 )
+_sine, _cosine = 2 * sin(_half) * cos(_half), cos(_half) ** 2 - sin(_half) ** 2
+d.identity("it is what the print says", f_rim, D * (1 + _cosine) / (4 * _sine))
 d.identity(
     "the rim lies on the paraboloid, and at the edge angle from the axis",
-    (D / 2) * cos(theta_rim),
-    (f_rim - (D / 2) * (D / 2) / (4 * f_rim)) * sin(theta_rim),
+    (D / 2) * _cosine,
+    (f_rim - (D / 2) * (D / 2) / (4 * f_rim)) * _sine,
 )
 
 M_O = d.define(

@@ -227,10 +227,17 @@ H_T_M = d.define(
     printed="12",
     latex="{}^{H}T_{M}",
 )
+off_P = d.define(
+    "off_P",
+    vector(x_M - D_P.x, y_M - D_P.y, 0),
+    because="The dish would carry its point further than the rods let it.",
+    meaning="from the dish's point to the facet's, {P}",
+    latex=r"\Delta_P",
+)
 off_dish = d.define(
     "off_dish",
-    from_base(vector(x_M - D_P.x, y_M - D_P.y, 0)),
-    because="The dish would carry its point further than the rods let it.",
+    from_base(off_P),
+    because="The same in East-North-Up.",
     meaning="from the dish's point to the facet's, {H}",
     latex=r"\Delta\mathbf{M}",
 )

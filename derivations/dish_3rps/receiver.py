@@ -3,7 +3,7 @@
 from armillary import Y, Z, absolute, atan2, elementary, number, solve, substitute, vector
 
 from .dish import c_dish
-from .facet import H_T_P, M_P, from_base, half_turn, n_P, psi, z_M
+from .facet import D_P, H_T_P, M_P, from_base, half_turn, n_P, off_P, psi, z_M
 from .half_tilt import M_q, h_q, here, placed_at, q_x, q_y, q_z, reach_q
 from .symbols import beta, d, dist, f, receiver_tolerance, z_O
 
@@ -42,17 +42,20 @@ ray = d.define(
     meaning="direction of the central ray after the facet, {P}",
     latex=r"\mathbf{b}",
 )
-_across = ray.cross(way).norm()
+d.identity(
+    "from the dish's own point it goes through the focus", ray.cross(focus - D_P), vector(0, 0, 0)
+)
 miss = d.define(
     "miss",
-    _across,
-    because="The ray has length 1.",
+    ray.cross(off_P).norm(),
+    because="A ray of the same direction from the dish's point would meet the focus, so this one "
+    "passes it by as much as the facet stands aside, across the ray.",
     meaning="distance by which the central ray passes the focus",
     latex=r"\epsilon",
 )
 miss_angle = d.define(
     "miss_angle",
-    atan2(_across, ray.dot(way)),
+    atan2(miss, ray.dot(way)),
     because="Seen from the facet.",
     meaning="angle between the central ray and the way to the focus, in [0, pi]",
     latex=r"\angle\epsilon",

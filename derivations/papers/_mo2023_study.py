@@ -57,7 +57,8 @@ p.equation(
     printed={"all weights 1": lengths, "all weights 1/3": lengths / 3},
 )
 sum_slope = p.define(
-    "sum_slope", on_days(partial(lengths, z_O)), because="The sum of a facet's rods on the four days, differentiated by the height.",
+    "sum_slope", on_days(partial(lengths, z_O)),
+    because="The sum of a facet's rods on the four days, differentiated by the height.",
     meaning="slope of the sum of a facet's rods in z_O, on the four days",
     latex=r"\Sigma_z",
 )  # fmt: skip

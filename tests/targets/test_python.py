@@ -14,7 +14,7 @@ POINTS = 24
 LIBRARIES = {
     "numpy": np.asarray,
     "array-api-strict": array_api_strict.asarray,
-    "dask": lambda a: dask.array.from_array(a, chunks=(5, *a.shape[1:])),
+    "dask": lambda a: dask.array.from_array(a, chunks=(12, *a.shape[1:])),
 }
 system = pytest.mark.parametrize("system", [*names(DERIVATIONS), *SYSTEMS])
 

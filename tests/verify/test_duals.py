@@ -99,3 +99,34 @@ def test_a_point_without_a_value_is_left_to_the_comparison_of_targets(tmp_path):
     (right,) = duals.checks(*record_and_programs(write(tmp_path, roots=ROOTS), "roots"))
     assert right.passed
     assert right.points > 20
+
+
+STAND = (
+    TURNS.split("rates =")[0]
+    + """
+L = d.parameter.length("L", "height")
+top = vector(L * sin(a), 0, L)
+rates = [a.rate(), b.rate(), L.rate()]
+d.kernel("head", inputs=[a, b], outputs={"R": R, "top": top})
+d.kernel("head_rates", inputs=[a, b, *rates], outputs={
+    "top_dot": time_derivative(top), "Omega": chain.angular_velocity("body")})
+"""
+)
+STAND = STAND.replace("Derivation, X, Z", "Derivation, X, Z, sin, time_derivative, vector")
+
+
+def test_a_parameter_may_move_too_and_rates_belong_to_the_kernel_of_their_name(tmp_path):
+    made = list(duals.checks(*record_and_programs(write(tmp_path / "right", turns=STAND), "turns")))
+    assert [m.name for m in made] == [
+        "top_dot is the time derivative of top",
+        "Omega by dual numbers of the rotation",
+    ]
+    assert all(m.passed and m.points > 20 for m in made)
+    for right, wrong in (
+        ("time_derivative(top)", "vector(L * cos(a) * rates[0], 0, rates[2])"),
+        ("chain.angular_velocity", "chain.body_angular_velocity"),
+    ):
+        text = STAND.replace(right, wrong).replace("sin, time", "cos, sin, time")
+        root = write(tmp_path / right[:5], turns=text)
+        made = list(duals.checks(*record_and_programs(root, "turns")))
+        assert sum(not m.passed for m in made) == 1

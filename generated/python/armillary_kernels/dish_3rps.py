@@ -135,7 +135,7 @@ def facet(*, alpha, beta, f, d, r_m, z_O, phi, r_b=None, K_P=None, K_I=None, K_D
         ("beta", beta, -1000.0, 1000.0, 0.875),
         ("f", f, 0.001, 1000.0, 6.4375),
         ("d", d, 0.0, 1000.0, 1.2875),
-        ("r_m", r_m, 0.0, 1000.0, 0.64375),
+        ("r_m", r_m, 0.0, 1000.0, 0.7),
         ("z_O", z_O, 0.0, 1000.0, 6.625),
         ("phi", phi, -1000.0, 1000.0, 0.8),
     )
@@ -225,7 +225,7 @@ def off_dish(*, alpha, beta, f, d, r_m, phi, r_b=None, z_O=None, K_P=None, K_I=N
         ("beta", beta, -1000.0, 1000.0, 0.875),
         ("f", f, 0.001, 1000.0, 6.4375),
         ("d", d, 0.0, 1000.0, 1.2875),
-        ("r_m", r_m, 0.0, 1000.0, 0.64375),
+        ("r_m", r_m, 0.0, 1000.0, 0.7),
         ("phi", phi, -1000.0, 1000.0, 0.8),
     )
     xp = call.xp
@@ -279,7 +279,7 @@ def rod_lengths(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, K_
     T_S=None, F_max=None, K_V=None, F_C=None, v_C=None):
     """Lengths of the three rods of one facet.
 
-    79 flops (47 mul, 25 add, 3 div, 4 sqrt), 4 sin/cos, 0 atan2
+    77 flops (45 mul, 25 add, 3 div, 4 sqrt), 4 sin/cos, 0 atan2
 
     Args:
         alpha: azimuth of the dish's axis from the east, counter-clockwise, rad
@@ -303,14 +303,14 @@ def rod_lengths(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, K_
         ("f", f, 0.001, 1000.0, 6.4375),
         ("d", d, 0.0, 1000.0, 1.2875),
         ("r_b", r_b, 0.0, 1000.0, 0.64375),
-        ("r_m", r_m, 0.0, 1000.0, 0.64375),
+        ("r_m", r_m, 0.0, 1000.0, 0.7),
         ("z_O", z_O, 0.0, 1000.0, 6.625),
         ("phi", phi, -1000.0, 1000.0, 0.8),
     )
     xp = call.xp
     (alpha, beta, f, d, r_b, r_m, z_O, phi) = call.values
     leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_value = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
     t1 = d * d
     t2 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t2 * t2))
@@ -334,14 +334,15 @@ def rod_lengths(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, K_
     face_down = xp.logical_not(t16)
     lean = call.select(face_down, 1.0, t15)
     t17 = 1.0 / lean
-    t18 = t1 / (4.0 * f)
-    D_P_z = ((cos_beta * t18) - (sin_beta * (t7 * d))) + z_O
+    t18 = 2.0 * t17
+    t19 = t1 / (4.0 * f)
+    D_P_z = ((cos_beta * t19) - (sin_beta * (t7 * d))) + z_O
     l_rod = [None] * 3
     for leg in range(3):
-        t19 = (t12 * leg_constants[leg]) + (t13 * leg_constants_value[leg])
-        rho = r_m * (t14 - (((2.0 * t19) * t19) * t17))
+        t20 = (t12 * leg_constants[leg]) + (t13 * leg_constants_2[leg])
+        rho = r_m * (t14 - (t18 * (t20 * t20)))
         reach = rho - r_b
-        h = D_P_z + (r_m * t19)
+        h = D_P_z + (r_m * t20)
         l_rod[leg] = xp.sqrt((reach * reach) + (h * h))
     call.case(-3, face_down)  # UNREACHABLE
     return RodLengthsResult(
@@ -361,7 +362,7 @@ def rod_lengths_all(*, alpha, beta, f, d, r_b, r_m, z_O, phi=None, K_P=None, K_I
     T_D=None, T_S=None, F_max=None, K_V=None, F_C=None, v_C=None):
     """Lengths of the rods of four facets, at 0, 90, 180 and 270 degrees; phi is not used.
 
-    333 flops (201 mul, 113 add, 6 div, 13 sqrt), 4 sin/cos, 0 atan2
+    322 flops (190 mul, 113 add, 6 div, 13 sqrt), 4 sin/cos, 0 atan2
 
     Args:
         alpha: azimuth of the dish's axis from the east, counter-clockwise, rad
@@ -384,15 +385,15 @@ def rod_lengths_all(*, alpha, beta, f, d, r_b, r_m, z_O, phi=None, K_P=None, K_I
         ("f", f, 0.001, 1000.0, 6.4375),
         ("d", d, 0.0, 1000.0, 1.2875),
         ("r_b", r_b, 0.0, 1000.0, 0.64375),
-        ("r_m", r_m, 0.0, 1000.0, 0.64375),
+        ("r_m", r_m, 0.0, 1000.0, 0.7),
         ("z_O", z_O, 0.0, 1000.0, 6.625),
     )
     xp = call.xp
     (alpha, beta, f, d, r_b, r_m, z_O) = call.values
     facet_constants = (0.0, 1.0, 0.0, -1.0,)
-    facet_constants_value = (1.0, 0.0, -1.0, 0.0,)
+    facet_constants_2 = (1.0, 0.0, -1.0, 0.0,)
     leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_value = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
     t1 = d * d
     t2 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t2 * t2))
@@ -406,37 +407,38 @@ def rod_lengths_all(*, alpha, beta, f, d, r_b, r_m, z_O, phi=None, K_P=None, K_I
     t6 = cos_beta * t5
     t7 = sin_beta * t5
     t8 = t1 / (4.0 * f)
-    t9 = t8 * cos_beta
+    t9 = d * sin_beta
+    t10 = t8 * cos_beta
     l_rod = [[None] * 3 for _ in range(4)]
     face_down_all = call.never
     for facet in range(4):
-        t10 = facet_constants_value[facet] * t4
-        t11 = facet_constants[facet] * t4
-        t12 = (cos_alpha * t10) + (sin_alpha * t11)
-        t13 = (sin_alpha * t10) - (cos_alpha * t11)
-        t14 = t6 + (sin_beta * t12)
-        t15 = t7 - (cos_beta * t12)
-        t16 = (cos_alpha * t15) - (sin_alpha * t13)
-        t17 = (sin_alpha * t15) + (cos_alpha * t13)
-        t18 = (facet_constants_value[facet] * t16) + (facet_constants[facet] * t17)
-        t19 = (facet_constants_value[facet] * t17) - (facet_constants[facet] * t16)
-        t20 = 0.5 * (3.0 - t14)
-        t21 = 1.0 + t14
-        t22 = 1.0e-6 < t21
-        face_down = xp.logical_not(t22)
-        lean = call.select(face_down, 1.0, t21)
-        t23 = 1.0 / lean
-        t24 = (
-            t9 - (d * (sin_beta * ((cos_alpha * facet_constants_value[facet]) + (sin_alpha *
+        t11 = facet_constants_2[facet] * t4
+        t12 = facet_constants[facet] * t4
+        t13 = (cos_alpha * t11) + (sin_alpha * t12)
+        t14 = (sin_alpha * t11) - (cos_alpha * t12)
+        t15 = t6 + (sin_beta * t13)
+        t16 = t7 - (cos_beta * t13)
+        t17 = (cos_alpha * t16) - (sin_alpha * t14)
+        t18 = (sin_alpha * t16) + (cos_alpha * t14)
+        t19 = (facet_constants_2[facet] * t17) + (facet_constants[facet] * t18)
+        t20 = (facet_constants_2[facet] * t18) - (facet_constants[facet] * t17)
+        t21 = 0.5 * (3.0 - t15)
+        t22 = 1.0 + t15
+        t23 = 1.0e-6 < t22
+        face_down = xp.logical_not(t23)
+        lean = call.select(face_down, 1.0, t22)
+        t24 = 1.0 / lean
+        t25 = 2.0 * t24
+        z_N = (
+            z_O + (t10 - (t9 * ((cos_alpha * facet_constants_2[facet]) + (sin_alpha *
             facet_constants[facet]))))
         )
-        z_N = z_O + t24
         face_down_all = xp.logical_or(face_down_all, face_down)
         for leg in range(3):
-            t25 = (t18 * leg_constants[leg]) + (t19 * leg_constants_value[leg])
-            rho = r_m * (t20 - (((2.0 * t25) * t25) * t23))
+            t26 = (t19 * leg_constants[leg]) + (t20 * leg_constants_2[leg])
+            rho = r_m * (t21 - (t25 * (t26 * t26)))
             reach = rho - r_b
-            h = z_N + (r_m * t25)
+            h = z_N + (r_m * t26)
             l_rod[facet][leg] = xp.sqrt((reach * reach) + (h * h))
     call.case(-3, face_down_all)  # UNREACHABLE
     return RodLengthsAllResult(
@@ -489,14 +491,14 @@ def rod_rates(*, alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_b, r_m, z_O, p
         ("f", f, 0.001, 1000.0, 6.4375),
         ("d", d, 0.0, 1000.0, 1.2875),
         ("r_b", r_b, 0.0, 1000.0, 0.64375),
-        ("r_m", r_m, 0.0, 1000.0, 0.64375),
+        ("r_m", r_m, 0.0, 1000.0, 0.7),
         ("z_O", z_O, 0.0, 1000.0, 6.625),
         ("phi", phi, -1000.0, 1000.0, 0.8),
     )
     xp = call.xp
     (alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_b, r_m, z_O, phi) = call.values
     leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_value = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
     t1 = d * d
     t2 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t2 * t2))
@@ -536,12 +538,12 @@ def rod_rates(*, alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_b, r_m, z_O, p
     l_dot = [None] * 3
     no_rod = call.never
     for leg in range(3):
-        t30 = (t12 * leg_constants[leg]) + (t13 * leg_constants_value[leg])
+        t30 = (t12 * leg_constants[leg]) + (t13 * leg_constants_2[leg])
         t31 = 2.0 * t30
         t32 = (t31 * t30) * t17
         rho = r_m * (t14 - t32)
         reach = rho - r_b
-        t33 = (t22 * leg_constants[leg]) + (t23 * leg_constants_value[leg])
+        t33 = (t22 * leg_constants[leg]) + (t23 * leg_constants_2[leg])
         t34 = (((2.0 * t33) * t30) + (t31 * t33)) - (t32 * t25)
         h = D_P_z + (r_m * t30)
         t35 = (h * (t29 + (r_m * t33))) - (reach * (r_m * ((t34 * t17) - t24)))
@@ -599,7 +601,7 @@ def facet_rates(*, alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_m, phi, r_b=
         ("z_dot", z_dot, -1000000.0, 1000000.0, 0.25),
         ("f", f, 0.001, 1000.0, 6.4375),
         ("d", d, 0.0, 1000.0, 1.2875),
-        ("r_m", r_m, 0.0, 1000.0, 0.64375),
+        ("r_m", r_m, 0.0, 1000.0, 0.7),
         ("phi", phi, -1000.0, 1000.0, 0.8),
     )
     xp = call.xp
@@ -674,7 +676,7 @@ def jacobian_a(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, K_D
     T_S=None, F_max=None, K_V=None, F_C=None, v_C=None):
     """Jacobian from the facet's twist about its point to the rates of its rods.
 
-    188 flops (124 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2
+    186 flops (122 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2
 
     Args:
         alpha: azimuth of the dish's axis from the east, counter-clockwise, rad
@@ -700,14 +702,14 @@ def jacobian_a(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, K_D
         ("f", f, 0.001, 1000.0, 6.4375),
         ("d", d, 0.0, 1000.0, 1.2875),
         ("r_b", r_b, 0.0, 1000.0, 0.64375),
-        ("r_m", r_m, 0.0, 1000.0, 0.64375),
+        ("r_m", r_m, 0.0, 1000.0, 0.7),
         ("z_O", z_O, 0.0, 1000.0, 6.625),
         ("phi", phi, -1000.0, 1000.0, 0.8),
     )
     xp = call.xp
     (alpha, beta, f, d, r_b, r_m, z_O, phi) = call.values
     leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_value = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
     t1 = d * d
     t2 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t2 * t2))
@@ -731,51 +733,52 @@ def jacobian_a(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, K_D
     face_down = xp.logical_not(t15)
     lean = call.select(face_down, 1.0, t14)
     t16 = 1.0 / lean
-    t17 = t1 / (4.0 * f)
-    D_P_z = ((cos_beta * t17) - (sin_beta * (t7 * d))) + z_O
+    t17 = 2.0 * t16
+    t18 = t1 / (4.0 * f)
+    D_P_z = ((cos_beta * t18) - (sin_beta * (t7 * d))) + z_O
     sin_phi = xp.sin(phi)
     cos_phi = xp.cos(phi)
-    t18 = t11 * t16
-    t19 = 1.0 - (t18 * t11)
-    t20 = t18 * t12
-    t21 = 1.0 - ((t12 * t16) * t12)
+    t19 = t11 * t16
+    t20 = 1.0 - (t19 * t11)
+    t21 = t19 * t12
+    t22 = 1.0 - ((t12 * t16) * t12)
     e_z = [None] * 3
     e_x = [None] * 3
-    t22 = [None] * 3
+    t23 = [None] * 3
     J_A_14 = [None] * 3
     J_A_15 = [None] * 3
     J_A_16 = [None] * 3
     no_rod = call.never
     for leg in range(3):
-        t23 = (t11 * leg_constants[leg]) + (t12 * leg_constants_value[leg])
-        rho = r_m * (t13 - (((2.0 * t23) * t23) * t16))
+        t24 = (t11 * leg_constants[leg]) + (t12 * leg_constants_2[leg])
+        rho = r_m * (t13 - (t17 * (t24 * t24)))
         reach = rho - r_b
-        r_S_z = r_m * t23
+        r_S_z = r_m * t24
         h = D_P_z + r_S_z
         l_rod = xp.sqrt((reach * reach) + (h * h))
-        t24 = 1.0e-6 < l_rod
-        length = call.select(t24, l_rod, 1.0e-6)
-        t25 = 1.0 / length
-        t26 = reach * t25
-        t27 = t26 * leg_constants[leg]
-        t28 = t26 * leg_constants_value[leg]
-        e_z[leg] = h * t25
-        e_x[leg] = (sin_phi * t28) - (cos_phi * t27)
-        t22[leg] = (sin_phi * t27) + (cos_phi * t28)
-        t29 = r_m * ((leg_constants[leg] * t19) - (leg_constants_value[leg] * t20))
-        t30 = r_m * ((leg_constants_value[leg] * t21) - (leg_constants[leg] * t20))
-        r_S_x = (sin_phi * t30) - (cos_phi * t29)
-        t31 = (sin_phi * t29) + (cos_phi * t30)
-        J_A_14[leg] = (r_S_z * t22[leg]) - (t31 * e_z[leg])
+        t25 = 1.0e-6 < l_rod
+        length = call.select(t25, l_rod, 1.0e-6)
+        t26 = 1.0 / length
+        t27 = reach * t26
+        t28 = t27 * leg_constants[leg]
+        t29 = t27 * leg_constants_2[leg]
+        e_z[leg] = h * t26
+        e_x[leg] = (sin_phi * t29) - (cos_phi * t28)
+        t23[leg] = (sin_phi * t28) + (cos_phi * t29)
+        t30 = r_m * ((leg_constants[leg] * t20) - (leg_constants_2[leg] * t21))
+        t31 = r_m * ((leg_constants_2[leg] * t22) - (leg_constants[leg] * t21))
+        r_S_x = (sin_phi * t31) - (cos_phi * t30)
+        t32 = (sin_phi * t30) + (cos_phi * t31)
+        J_A_14[leg] = (r_S_z * t23[leg]) - (t32 * e_z[leg])
         J_A_15[leg] = (r_S_z * e_x[leg]) - (r_S_x * e_z[leg])
-        J_A_16[leg] = (t31 * e_x[leg]) - (r_S_x * t22[leg])
-        t32 = xp.logical_not(t24)
-        no_rod = xp.logical_or(no_rod, t32)
+        J_A_16[leg] = (t32 * e_x[leg]) - (r_S_x * t23[leg])
+        t33 = xp.logical_not(t25)
+        no_rod = xp.logical_or(no_rod, t33)
     call.case(-3, face_down)  # UNREACHABLE
     call.case(-3, no_rod)  # UNREACHABLE
     return JacobianAResult(
-        J_A=call.array((3, 6), (e_x[0], -t22[0], e_z[0], J_A_14[0], J_A_15[0], J_A_16[0], e_x[1],
-            -t22[1], e_z[1], J_A_14[1], J_A_15[1], J_A_16[1], e_x[2], -t22[2], e_z[2], J_A_14[2],
+        J_A=call.array((3, 6), (e_x[0], -t23[0], e_z[0], J_A_14[0], J_A_15[0], J_A_16[0], e_x[1],
+            -t23[1], e_z[1], J_A_14[1], J_A_15[1], J_A_16[1], e_x[2], -t23[2], e_z[2], J_A_14[2],
             J_A_15[2], J_A_16[2])),
         status=call.status,
     )
@@ -814,7 +817,7 @@ def jacobian_b(*, alpha, beta, f, d, r_m, phi, r_b=None, z_O=None, K_P=None, K_I
         ("beta", beta, -1000.0, 1000.0, 0.875),
         ("f", f, 0.001, 1000.0, 6.4375),
         ("d", d, 0.0, 1000.0, 1.2875),
-        ("r_m", r_m, 0.0, 1000.0, 0.64375),
+        ("r_m", r_m, 0.0, 1000.0, 0.7),
         ("phi", phi, -1000.0, 1000.0, 0.8),
     )
     xp = call.xp
@@ -901,7 +904,7 @@ def jacobian_full(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, 
     """Jacobian from the facet's twist about its point to the rates of its rods, over the rates
     that its hinges make zero.
 
-    221 flops (148 mul, 63 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2
+    219 flops (146 mul, 63 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2
 
     Args:
         alpha: azimuth of the dish's axis from the east, counter-clockwise, rad
@@ -927,14 +930,14 @@ def jacobian_full(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, 
         ("f", f, 0.001, 1000.0, 6.4375),
         ("d", d, 0.0, 1000.0, 1.2875),
         ("r_b", r_b, 0.0, 1000.0, 0.64375),
-        ("r_m", r_m, 0.0, 1000.0, 0.64375),
+        ("r_m", r_m, 0.0, 1000.0, 0.7),
         ("z_O", z_O, 0.0, 1000.0, 6.625),
         ("phi", phi, -1000.0, 1000.0, 0.8),
     )
     xp = call.xp
     (alpha, beta, f, d, r_b, r_m, z_O, phi) = call.values
     leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_value = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
     t1 = d * d
     t2 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t2 * t2))
@@ -958,56 +961,57 @@ def jacobian_full(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, 
     face_down = xp.logical_not(t15)
     lean = call.select(face_down, 1.0, t14)
     t16 = 1.0 / lean
-    t17 = t1 / (4.0 * f)
-    D_P_z = ((cos_beta * t17) - (sin_beta * (t7 * d))) + z_O
+    t17 = 2.0 * t16
+    t18 = t1 / (4.0 * f)
+    D_P_z = ((cos_beta * t18) - (sin_beta * (t7 * d))) + z_O
     sin_phi = xp.sin(phi)
     cos_phi = xp.cos(phi)
-    t18 = t11 * t16
-    t19 = 1.0 - (t18 * t11)
-    t20 = t18 * t12
-    t21 = 1.0 - ((t12 * t16) * t12)
+    t19 = t11 * t16
+    t20 = 1.0 - (t19 * t11)
+    t21 = t19 * t12
+    t22 = 1.0 - ((t12 * t16) * t12)
     e_z = [None] * 3
     e_x = [None] * 3
-    t22 = [None] * 3
+    t23 = [None] * 3
     J_A_14 = [None] * 3
     J_A_15 = [None] * 3
     J_A_16 = [None] * 3
     J_plane_11 = [None] * 3
     J_plane_12 = [None] * 3
-    t23 = [None] * 3
+    t24 = [None] * 3
     J_plane_15 = [None] * 3
     J_plane_16 = [None] * 3
     no_rod = call.never
     for leg in range(3):
-        t24 = (t11 * leg_constants[leg]) + (t12 * leg_constants_value[leg])
-        rho = r_m * (t13 - (((2.0 * t24) * t24) * t16))
+        t25 = (t11 * leg_constants[leg]) + (t12 * leg_constants_2[leg])
+        rho = r_m * (t13 - (t17 * (t25 * t25)))
         reach = rho - r_b
-        r_S_z = r_m * t24
+        r_S_z = r_m * t25
         h = D_P_z + r_S_z
         l_rod = xp.sqrt((reach * reach) + (h * h))
-        t25 = 1.0e-6 < l_rod
-        length = call.select(t25, l_rod, 1.0e-6)
-        t26 = 1.0 / length
-        t27 = reach * t26
-        t28 = t27 * leg_constants[leg]
-        t29 = t27 * leg_constants_value[leg]
-        e_z[leg] = h * t26
-        e_x[leg] = (sin_phi * t29) - (cos_phi * t28)
-        t22[leg] = (sin_phi * t28) + (cos_phi * t29)
-        t30 = r_m * ((leg_constants[leg] * t19) - (leg_constants_value[leg] * t20))
-        t31 = r_m * ((leg_constants_value[leg] * t21) - (leg_constants[leg] * t20))
-        r_S_x = (sin_phi * t31) - (cos_phi * t30)
-        t32 = (sin_phi * t30) + (cos_phi * t31)
-        J_A_14[leg] = (r_S_z * t22[leg]) - (t32 * e_z[leg])
+        t26 = 1.0e-6 < l_rod
+        length = call.select(t26, l_rod, 1.0e-6)
+        t27 = 1.0 / length
+        t28 = reach * t27
+        t29 = t28 * leg_constants[leg]
+        t30 = t28 * leg_constants_2[leg]
+        e_z[leg] = h * t27
+        e_x[leg] = (sin_phi * t30) - (cos_phi * t29)
+        t23[leg] = (sin_phi * t29) + (cos_phi * t30)
+        t31 = r_m * ((leg_constants[leg] * t20) - (leg_constants_2[leg] * t21))
+        t32 = r_m * ((leg_constants_2[leg] * t22) - (leg_constants[leg] * t21))
+        r_S_x = (sin_phi * t32) - (cos_phi * t31)
+        t33 = (sin_phi * t31) + (cos_phi * t32)
+        J_A_14[leg] = (r_S_z * t23[leg]) - (t33 * e_z[leg])
         J_A_15[leg] = (r_S_z * e_x[leg]) - (r_S_x * e_z[leg])
-        J_A_16[leg] = (t32 * e_x[leg]) - (r_S_x * t22[leg])
-        J_plane_11[leg] = (cos_phi * leg_constants_value[leg]) + (sin_phi * leg_constants[leg])
-        J_plane_12[leg] = (sin_phi * leg_constants_value[leg]) - (cos_phi * leg_constants[leg])
-        t23[leg] = r_S_z * J_plane_12[leg]
+        J_A_16[leg] = (t33 * e_x[leg]) - (r_S_x * t23[leg])
+        J_plane_11[leg] = (cos_phi * leg_constants_2[leg]) + (sin_phi * leg_constants[leg])
+        J_plane_12[leg] = (sin_phi * leg_constants_2[leg]) - (cos_phi * leg_constants[leg])
+        t24[leg] = r_S_z * J_plane_12[leg]
         J_plane_15[leg] = r_S_z * J_plane_11[leg]
-        J_plane_16[leg] = (r_S_x * J_plane_12[leg]) + (t32 * J_plane_11[leg])
-        t33 = xp.logical_not(t25)
-        no_rod = xp.logical_or(no_rod, t33)
+        J_plane_16[leg] = (r_S_x * J_plane_12[leg]) + (t33 * J_plane_11[leg])
+        t34 = xp.logical_not(t26)
+        no_rod = xp.logical_or(no_rod, t34)
     J_11 = e_x[0]
     J_13 = e_z[0]
     J_14 = J_A_14[0]
@@ -1038,9 +1042,9 @@ def jacobian_full(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, 
     call.case(-3, face_down)  # UNREACHABLE
     call.case(-3, no_rod)  # UNREACHABLE
     return JacobianFullResult(
-        J=call.array((6, 6), (J_11, -t22[0], J_13, J_14, J_15, J_16, J_21, -t22[1], J_23, J_24,
-            J_25, J_26, J_31, -t22[2], J_33, J_34, J_35, J_36, J_41, J_42, 0.0, -t23[0], J_45,
-            J_46, J_51, J_52, 0.0, -t23[1], J_55, J_56, J_61, J_62, 0.0, -t23[2], J_65, J_66)),
+        J=call.array((6, 6), (J_11, -t23[0], J_13, J_14, J_15, J_16, J_21, -t23[1], J_23, J_24,
+            J_25, J_26, J_31, -t23[2], J_33, J_34, J_35, J_36, J_41, J_42, 0.0, -t24[0], J_45,
+            J_46, J_51, J_52, 0.0, -t24[1], J_55, J_56, J_61, J_62, 0.0, -t24[2], J_65, J_66)),
         status=call.status,
     )
 
@@ -1056,7 +1060,7 @@ def jacobian_passive(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=Non
     T_D=None, T_S=None, F_max=None, K_V=None, F_C=None, v_C=None):
     """Jacobian from the facet's twist about its point to the rates of its hinges.
 
-    206 flops (142 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2
+    204 flops (140 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2
 
     Args:
         alpha: azimuth of the dish's axis from the east, counter-clockwise, rad
@@ -1082,14 +1086,14 @@ def jacobian_passive(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=Non
         ("f", f, 0.001, 1000.0, 6.4375),
         ("d", d, 0.0, 1000.0, 1.2875),
         ("r_b", r_b, 0.0, 1000.0, 0.64375),
-        ("r_m", r_m, 0.0, 1000.0, 0.64375),
+        ("r_m", r_m, 0.0, 1000.0, 0.7),
         ("z_O", z_O, 0.0, 1000.0, 6.625),
         ("phi", phi, -1000.0, 1000.0, 0.8),
     )
     xp = call.xp
     (alpha, beta, f, d, r_b, r_m, z_O, phi) = call.values
     leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_value = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
     t1 = d * d
     t2 = t1 / (4.0 * f)
     psi = alpha - phi
@@ -1115,53 +1119,54 @@ def jacobian_passive(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=Non
     face_down = xp.logical_not(t16)
     lean = call.select(face_down, 1.0, t15)
     t17 = 1.0 / lean
+    t18 = 2.0 * t17
     sin_phi = xp.sin(phi)
     cos_phi = xp.cos(phi)
-    t18 = t12 * t17
-    t19 = 1.0 - (t18 * t12)
-    t20 = t18 * t13
-    t21 = 1.0 - ((t13 * t17) * t13)
+    t19 = t12 * t17
+    t20 = 1.0 - (t19 * t12)
+    t21 = t19 * t13
+    t22 = 1.0 - ((t13 * t17) * t13)
     J_P_11 = [None] * 3
-    t22 = [None] * 3
     t23 = [None] * 3
+    t24 = [None] * 3
     J_P_14 = [None] * 3
     J_P_15 = [None] * 3
     J_P_16 = [None] * 3
     no_rod = call.never
     for leg in range(3):
-        t24 = (t12 * leg_constants[leg]) + (t13 * leg_constants_value[leg])
-        r_S_z = r_m * t24
+        t25 = (t12 * leg_constants[leg]) + (t13 * leg_constants_2[leg])
+        r_S_z = r_m * t25
         h = D_P_z + r_S_z
-        rho = r_m * (t14 - (((2.0 * t24) * t24) * t17))
+        rho = r_m * (t14 - (t18 * (t25 * t25)))
         reach = rho - r_b
         l_rod = xp.sqrt((reach * reach) + (h * h))
-        t25 = 1.0e-6 < l_rod
-        length = call.select(t25, l_rod, 1.0e-6)
-        t26 = 1.0 / length
-        t27 = h * t26
-        t28 = t27 * leg_constants[leg]
-        t29 = t27 * leg_constants_value[leg]
-        t30 = reach * t26
-        t31 = (sin_phi * t29) - (cos_phi * t28)
-        t32 = (sin_phi * t28) + (cos_phi * t29)
-        J_P_11[leg] = t31 * t26
-        t22[leg] = t32 * t26
-        t23[leg] = t30 * t26
-        t33 = r_m * ((leg_constants[leg] * t19) - (leg_constants_value[leg] * t20))
-        t34 = r_m * ((leg_constants_value[leg] * t21) - (leg_constants[leg] * t20))
-        r_S_x = (sin_phi * t34) - (cos_phi * t33)
-        t35 = (sin_phi * t33) + (cos_phi * t34)
-        J_P_14[leg] = ((t35 * t30) + (r_S_z * t32)) * t26
-        J_P_15[leg] = ((r_S_z * t31) + (r_S_x * t30)) * t26
-        J_P_16[leg] = ((t35 * t31) - (r_S_x * t32)) * t26
-        t36 = xp.logical_not(t25)
-        no_rod = xp.logical_or(no_rod, t36)
+        t26 = 1.0e-6 < l_rod
+        length = call.select(t26, l_rod, 1.0e-6)
+        t27 = 1.0 / length
+        t28 = h * t27
+        t29 = t28 * leg_constants[leg]
+        t30 = t28 * leg_constants_2[leg]
+        t31 = reach * t27
+        t32 = (sin_phi * t30) - (cos_phi * t29)
+        t33 = (sin_phi * t29) + (cos_phi * t30)
+        J_P_11[leg] = t32 * t27
+        t23[leg] = t33 * t27
+        t24[leg] = t31 * t27
+        t34 = r_m * ((leg_constants[leg] * t20) - (leg_constants_2[leg] * t21))
+        t35 = r_m * ((leg_constants_2[leg] * t22) - (leg_constants[leg] * t21))
+        r_S_x = (sin_phi * t35) - (cos_phi * t34)
+        t36 = (sin_phi * t34) + (cos_phi * t35)
+        J_P_14[leg] = ((t36 * t31) + (r_S_z * t33)) * t27
+        J_P_15[leg] = ((r_S_z * t32) + (r_S_x * t31)) * t27
+        J_P_16[leg] = ((t36 * t32) - (r_S_x * t33)) * t27
+        t37 = xp.logical_not(t26)
+        no_rod = xp.logical_or(no_rod, t37)
     call.case(-3, face_down)  # UNREACHABLE
     call.case(-3, no_rod)  # UNREACHABLE
     return JacobianPassiveResult(
-        J_P=call.array((3, 6), (J_P_11[0], -t22[0], -t23[0], J_P_14[0], J_P_15[0], J_P_16[0],
-            J_P_11[1], -t22[1], -t23[1], J_P_14[1], J_P_15[1], J_P_16[1], J_P_11[2], -t22[2],
-            -t23[2], J_P_14[2], J_P_15[2], J_P_16[2])),
+        J_P=call.array((3, 6), (J_P_11[0], -t23[0], -t24[0], J_P_14[0], J_P_15[0], J_P_16[0],
+            J_P_11[1], -t23[1], -t24[1], J_P_14[1], J_P_15[1], J_P_16[1], J_P_11[2], -t23[2],
+            -t24[2], J_P_14[2], J_P_15[2], J_P_16[2])),
         status=call.status,
     )
 
@@ -1208,14 +1213,14 @@ def passive_rates(*, alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_b, r_m, z_
         ("f", f, 0.001, 1000.0, 6.4375),
         ("d", d, 0.0, 1000.0, 1.2875),
         ("r_b", r_b, 0.0, 1000.0, 0.64375),
-        ("r_m", r_m, 0.0, 1000.0, 0.64375),
+        ("r_m", r_m, 0.0, 1000.0, 0.7),
         ("z_O", z_O, 0.0, 1000.0, 6.625),
         ("phi", phi, -1000.0, 1000.0, 0.8),
     )
     xp = call.xp
     (alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_b, r_m, z_O, phi) = call.values
     leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_value = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
     t1 = d * d
     t2 = t1 / (4.0 * f)
     psi = alpha - phi
@@ -1255,9 +1260,9 @@ def passive_rates(*, alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_b, r_m, z_
     t30 = [None] * 3
     no_rod = call.never
     for leg in range(3):
-        t31 = (t14 * leg_constants[leg]) + (t15 * leg_constants_value[leg])
+        t31 = (t14 * leg_constants[leg]) + (t15 * leg_constants_2[leg])
         h = D_P_z + (r_m * t31)
-        t32 = (t20 * leg_constants[leg]) + (t21 * leg_constants_value[leg])
+        t32 = (t20 * leg_constants[leg]) + (t21 * leg_constants_2[leg])
         t33 = 2.0 * t31
         t34 = (t33 * t31) * t25
         t35 = (((2.0 * t32) * t31) + (t33 * t32)) - (t34 * t26)
@@ -1289,7 +1294,7 @@ def joint_angles(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, K
     T_S=None, F_max=None, K_V=None, F_C=None, v_C=None):
     """Angles of the three S-joints: between rod and facet normal, in [0, pi].
 
-    145 flops (89 mul, 46 add, 3 div, 7 sqrt), 4 sin/cos, 3 atan2
+    143 flops (87 mul, 46 add, 3 div, 7 sqrt), 4 sin/cos, 3 atan2
 
     Args:
         alpha: azimuth of the dish's axis from the east, counter-clockwise, rad
@@ -1314,14 +1319,14 @@ def joint_angles(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, K
         ("f", f, 0.001, 1000.0, 6.4375),
         ("d", d, 0.0, 1000.0, 1.2875),
         ("r_b", r_b, 0.0, 1000.0, 0.64375),
-        ("r_m", r_m, 0.0, 1000.0, 0.64375),
+        ("r_m", r_m, 0.0, 1000.0, 0.7),
         ("z_O", z_O, 0.0, 1000.0, 6.625),
         ("phi", phi, -1000.0, 1000.0, 0.8),
     )
     xp = call.xp
     (alpha, beta, f, d, r_b, r_m, z_O, phi) = call.values
     leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_value = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
     t1 = d * d
     t2 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t2 * t2))
@@ -1345,26 +1350,27 @@ def joint_angles(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, K
     face_down = xp.logical_not(t15)
     lean = call.select(face_down, 1.0, t14)
     t16 = 1.0 / lean
-    t17 = t1 / (4.0 * f)
-    D_P_z = ((cos_beta * t17) - (sin_beta * (t7 * d))) + z_O
+    t17 = 2.0 * t16
+    t18 = t1 / (4.0 * f)
+    D_P_z = ((cos_beta * t18) - (sin_beta * (t7 * d))) + z_O
     s = [None] * 3
     no_rod = call.never
     for leg in range(3):
-        t18 = (t11 * leg_constants[leg]) + (t12 * leg_constants_value[leg])
-        rho = r_m * (t13 - (((2.0 * t18) * t18) * t16))
+        t19 = (t11 * leg_constants[leg]) + (t12 * leg_constants_2[leg])
+        rho = r_m * (t13 - (t17 * (t19 * t19)))
         reach = rho - r_b
-        t19 = reach * leg_constants[leg]
-        t20 = reach * leg_constants_value[leg]
-        h = D_P_z + (r_m * t18)
-        t21 = (t20 * n_P_z) + (h * t12)
-        t22 = (h * t11) + (t19 * n_P_z)
-        t23 = (t20 * t11) - (t19 * t12)
-        t24 = xp.sqrt(((t21 * t21) + (t22 * t22)) + (t23 * t23))
-        s[leg] = xp.atan2(t24, (h * n_P_z) - ((t19 * t11) + (t20 * t12)))
+        t20 = reach * leg_constants[leg]
+        t21 = reach * leg_constants_2[leg]
+        h = D_P_z + (r_m * t19)
+        t22 = (t21 * n_P_z) + (h * t12)
+        t23 = (h * t11) + (t20 * n_P_z)
+        t24 = (t21 * t11) - (t20 * t12)
+        t25 = xp.sqrt(((t22 * t22) + (t23 * t23)) + (t24 * t24))
+        s[leg] = xp.atan2(t25, (h * n_P_z) - ((t20 * t11) + (t21 * t12)))
         l_rod = xp.sqrt((reach * reach) + (h * h))
-        t25 = 1.0e-6 < l_rod
-        t26 = xp.logical_not(t25)
-        no_rod = xp.logical_or(no_rod, t26)
+        t26 = 1.0e-6 < l_rod
+        t27 = xp.logical_not(t26)
+        no_rod = xp.logical_or(no_rod, t27)
     call.case(-3, face_down)  # UNREACHABLE
     call.case(-3, no_rod)  # UNREACHABLE
     return JointAnglesResult(
@@ -1384,7 +1390,7 @@ def revolute_angles(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None
     T_D=None, T_S=None, F_max=None, K_V=None, F_C=None, v_C=None):
     """Angles of the three hinges: of the rods from the vertical, outward positive.
 
-    79 flops (47 mul, 25 add, 3 div, 4 sqrt), 4 sin/cos, 3 atan2
+    77 flops (45 mul, 25 add, 3 div, 4 sqrt), 4 sin/cos, 3 atan2
 
     Args:
         alpha: azimuth of the dish's axis from the east, counter-clockwise, rad
@@ -1409,14 +1415,14 @@ def revolute_angles(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None
         ("f", f, 0.001, 1000.0, 6.4375),
         ("d", d, 0.0, 1000.0, 1.2875),
         ("r_b", r_b, 0.0, 1000.0, 0.64375),
-        ("r_m", r_m, 0.0, 1000.0, 0.64375),
+        ("r_m", r_m, 0.0, 1000.0, 0.7),
         ("z_O", z_O, 0.0, 1000.0, 6.625),
         ("phi", phi, -1000.0, 1000.0, 0.8),
     )
     xp = call.xp
     (alpha, beta, f, d, r_b, r_m, z_O, phi) = call.values
     leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_value = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
     t1 = d * d
     t2 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t2 * t2))
@@ -1440,21 +1446,22 @@ def revolute_angles(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None
     face_down = xp.logical_not(t16)
     lean = call.select(face_down, 1.0, t15)
     t17 = 1.0 / lean
-    t18 = t1 / (4.0 * f)
-    D_P_z = ((cos_beta * t18) - (sin_beta * (t7 * d))) + z_O
+    t18 = 2.0 * t17
+    t19 = t1 / (4.0 * f)
+    D_P_z = ((cos_beta * t19) - (sin_beta * (t7 * d))) + z_O
     p_R = [None] * 3
     no_rod = call.never
     for leg in range(3):
-        t19 = (t12 * leg_constants[leg]) + (t13 * leg_constants_value[leg])
-        rho = r_m * (t14 - (((2.0 * t19) * t19) * t17))
+        t20 = (t12 * leg_constants[leg]) + (t13 * leg_constants_2[leg])
+        rho = r_m * (t14 - (t18 * (t20 * t20)))
         reach = rho - r_b
-        h = D_P_z + (r_m * t19)
+        h = D_P_z + (r_m * t20)
         l_rod = xp.sqrt((reach * reach) + (h * h))
-        t20 = 1.0e-6 < l_rod
-        t21 = call.select(t20, h, 1.0e-6)
-        p_R[leg] = xp.atan2(reach, t21)
-        t22 = xp.logical_not(t20)
-        no_rod = xp.logical_or(no_rod, t22)
+        t21 = 1.0e-6 < l_rod
+        t22 = call.select(t21, h, 1.0e-6)
+        p_R[leg] = xp.atan2(reach, t22)
+        t23 = xp.logical_not(t21)
+        no_rod = xp.logical_or(no_rod, t23)
     call.case(-3, face_down)  # UNREACHABLE
     call.case(-3, no_rod)  # UNREACHABLE
     return RevoluteAnglesResult(
@@ -1476,7 +1483,7 @@ def forward(*, l, guess, f, d, r_b, r_m, phi, z_O=None, K_P=None, K_I=None, K_D=
     """Rotation and point of the facet on rods of the lengths given, by eight steps of Newton's
     method from a guess.
 
-    1803 flops (1033 mul, 748 add, 21 div, 1 sqrt), 6 sin/cos, 0 atan2
+    1799 flops (1029 mul, 748 add, 21 div, 1 sqrt), 6 sin/cos, 0 atan2
 
     Args:
         l: length of rod i, m, shape (..., 3)
@@ -1495,22 +1502,22 @@ def forward(*, l, guess, f, d, r_b, r_m, phi, z_O=None, K_P=None, K_I=None, K_D=
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
-        ("l", l, 0.0, 1000.0, (6.625, 6.625, 6.625), False, (3,)),
-        ("guess", guess, -1000.0, 1000.0, (0.75, 0.75, 0.75), False),
+        ("l", l, 0.0, 1000.0, (3.25, 3.25, 3.25), False, (3,)),
+        ("guess", guess, -1000.0, 1000.0, (0.9375, 0.9375, 0.9375), False),
         ("f", f, 0.001, 1000.0, 6.4375),
         ("d", d, 0.0, 1000.0, 1.2875),
         ("r_b", r_b, 0.0, 1000.0, 0.64375),
-        ("r_m", r_m, 0.0, 1000.0, 0.64375),
+        ("r_m", r_m, 0.0, 1000.0, 0.7),
         ("phi", phi, -1000.0, 1000.0, 0.8),
     )
     xp = call.xp
     (l, guess_x, guess_y, guess_z, f, d, r_b, r_m, phi) = call.values
     leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_value = (0.0, 0.8660254037844386, -0.8660254037844386,)
-    leg_constants_value2 = (0.0, 3.4641016151377544, -3.4641016151377544,)
-    leg_constants_value3 = (0.0, 1.7320508075688772, -1.7320508075688772,)
-    leg_constants_value4 = (4.0, -2.0, -2.0,)
-    leg_constants_value5 = (2.0, -1.0, -1.0,)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants_3 = (0.0, 3.4641016151377544, -3.4641016151377544,)
+    leg_constants_4 = (0.0, 1.7320508075688772, -1.7320508075688772,)
+    leg_constants_5 = (4.0, -2.0, -2.0,)
+    leg_constants_6 = (2.0, -1.0, -1.0,)
     t1 = d * d
     t2 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t2 * t2))
@@ -1541,9 +1548,9 @@ def forward(*, l, guess, f, d, r_b, r_m, phi, z_O=None, K_P=None, K_I=None, K_D=
     t19 = [None] * 3
     t20 = [None] * 3
     for leg in range(3):
-        t18[leg] = leg_constants_value3[leg] * r_m
+        t18[leg] = leg_constants_4[leg] * r_m
         t19[leg] = l[leg] * l[leg]
-        t20[leg] = leg_constants_value5[leg] * r_m
+        t20[leg] = leg_constants_6[leg] * r_m
     q_x = -(((t7 * t12) - (t6 * t9)) * t15)
     q_y = -(((t6 * t12) + (t7 * t9)) * t15)
     q_z = D_P_z
@@ -1562,9 +1569,9 @@ def forward(*, l, guess, f, d, r_b, r_m, phi, z_O=None, K_P=None, K_I=None, K_D=
         t30 = [None] * 3
         for leg in range(3):
             t31 = q_x * leg_constants[leg]
-            t32 = q_y * leg_constants_value[leg]
+            t32 = q_y * leg_constants_2[leg]
             w_q = t31 + t32
-            t33 = leg_constants_value2[leg] * w_q
+            t33 = leg_constants_3[leg] * w_q
             t34 = (4.0 * w_q) * w_q
             t35 = t24 - (((t33 + t33) * shrink) - (t34 * t24))
             reach_q = (r_m * (t25 - (t34 * shrink))) - r_b
@@ -1575,7 +1582,7 @@ def forward(*, l, guess, f, d, r_b, r_m, phi, z_O=None, K_P=None, K_I=None, K_D=
             t28[leg] = (t36 + t36) - (t38 + t38)
             t29[leg] = h_q + h_q
             closure[leg] = ((reach_q * reach_q) + (h_q * h_q)) - t19[leg]
-            t39 = leg_constants_value4[leg] * w_q
+            t39 = leg_constants_5[leg] * w_q
             t40 = t27 - (((t39 + t39) * shrink) - (t34 * t27))
             t41 = (r_m * t40) * reach_q
             t42 = ((t20[leg] * shrink) - (t37 * t27)) * h_q
@@ -1635,15 +1642,17 @@ def forward(*, l, guess, f, d, r_b, r_m, phi, z_O=None, K_P=None, K_I=None, K_D=
     M_found_x = H_T_P_p_x + ((sin_phi * t84) - (cos_phi * t83))
     M_found_y = H_T_P_p_y - ((sin_phi * t83) + (cos_phi * t84))
     t85 = 2.0 - shrink_value
+    t86 = 4.0 * shrink_value
+    t87 = t17 * shrink_value
     lost = call.never
     for leg in range(3):
-        w_q_value = (q_x * leg_constants[leg]) + (q_y * leg_constants_value[leg])
-        reach_q_value = (r_m * (t85 - (((4.0 * w_q_value) * w_q_value) * shrink_value))) - r_b
-        h_q_value = M_found_z - ((t17 * w_q_value) * shrink_value)
+        w_q_value = (q_x * leg_constants[leg]) + (q_y * leg_constants_2[leg])
+        reach_q_value = (r_m * (t85 - (t86 * (w_q_value * w_q_value)))) - r_b
+        h_q_value = M_found_z - (t87 * w_q_value)
         closure_value = ((reach_q_value * reach_q_value) + (h_q_value * h_q_value)) - t19[leg]
-        t86 = xp.abs(closure_value) < (0.00001 * t19[leg])
-        t87 = xp.logical_not(t86)
-        lost = xp.logical_or(lost, t87)
+        t88 = xp.abs(closure_value) < (0.00001 * t19[leg])
+        t89 = xp.logical_not(t88)
+        lost = xp.logical_or(lost, t89)
     call.case(-4, lost)  # NOT_CONVERGED
     return ForwardResult(
         H_R_M=call.array((3, 3), (-((cos_phi * t78) + t80), H_R_found_12, H_R_found_13,
@@ -1666,7 +1675,7 @@ def static_forces(*, alpha, beta, mass, centre, f_d, n_d, g, f, d, r_b, r_m, z_O
     """Forces of the three rods that hold the facet against its weight and a disturbance, push
     positive.
 
-    348 flops (223 mul, 113 add, 8 div, 4 sqrt), 6 sin/cos, 0 atan2
+    343 flops (218 mul, 113 add, 8 div, 4 sqrt), 6 sin/cos, 0 atan2
 
     Args:
         alpha: azimuth of the dish's axis from the east, counter-clockwise, rad
@@ -1702,7 +1711,7 @@ def static_forces(*, alpha, beta, mass, centre, f_d, n_d, g, f, d, r_b, r_m, z_O
         ("f", f, 0.001, 1000.0, 6.4375),
         ("d", d, 0.0, 1000.0, 1.2875),
         ("r_b", r_b, 0.0, 1000.0, 0.64375),
-        ("r_m", r_m, 0.0, 1000.0, 0.64375),
+        ("r_m", r_m, 0.0, 1000.0, 0.7),
         ("z_O", z_O, 0.0, 1000.0, 6.625),
         ("phi", phi, -1000.0, 1000.0, 0.8),
     )
@@ -1710,124 +1719,123 @@ def static_forces(*, alpha, beta, mass, centre, f_d, n_d, g, f, d, r_b, r_m, z_O
     (alpha, beta, mass, centre_x, centre_y, centre_z, f_d_x, f_d_y, f_d_z, n_d_x, n_d_y, n_d_z, g,
         f, d, r_b, r_m, z_O, phi) = call.values
     leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_value = (0.0, 0.8660254037844386, -0.8660254037844386,)
-    leg_constants_value2 = (4.0, -2.0, -2.0,)
-    leg_constants_value3 = (2.0, -1.0, -1.0,)
-    leg_constants_value4 = (0.0, 3.4641016151377544, -3.4641016151377544,)
-    leg_constants_value5 = (0.0, 1.7320508075688772, -1.7320508075688772,)
-    t1 = d * d
-    t2 = 2.0 * f
-    slope_length = xp.sqrt(t1 + (t2 * t2))
-    t3 = 1.0 / slope_length
-    t4 = t3 * d
-    t5 = t3 * t2
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants_3 = (4.0, -2.0, -2.0,)
+    leg_constants_4 = (2.0, -1.0, -1.0,)
+    leg_constants_5 = (0.0, 3.4641016151377544, -3.4641016151377544,)
+    leg_constants_6 = (0.0, 1.7320508075688772, -1.7320508075688772,)
+    t1 = (1.0e-6 * r_m) * r_m
+    t2 = d * d
+    t3 = 2.0 * f
+    slope_length = xp.sqrt(t2 + (t3 * t3))
+    t4 = 1.0 / slope_length
+    t5 = t4 * d
+    t6 = t4 * t3
     psi = alpha - phi
-    t6 = xp.sin(psi)
-    t7 = xp.cos(psi)
-    t8 = t7 * t4
-    t9 = t6 * t4
+    t7 = xp.sin(psi)
+    t8 = xp.cos(psi)
+    t9 = t8 * t5
+    t10 = t7 * t5
     sin_beta = xp.sin(beta)
     cos_beta = xp.cos(beta)
-    n_P_z = (cos_beta * t5) + (sin_beta * t8)
-    t10 = (sin_beta * t5) - (cos_beta * t8)
-    t11 = (t7 * t10) - (t6 * t9)
-    t12 = (t6 * t10) + (t7 * t9)
-    t13 = 1.0 + n_P_z
-    t14 = 1.0e-6 < t13
-    face_down = xp.logical_not(t14)
-    lean = call.select(face_down, 1.0, t13)
-    t15 = 1.0 / lean
-    t16 = t11 * t15
-    t17 = t16 * t16
-    t18 = t12 * t15
-    t19 = t18 * t18
-    shrink = 1.0 / (1.0 + (t17 + t19))
-    t20 = 2.0 - shrink
-    t21 = t16 + t16
-    t22 = (shrink * t21) * shrink
-    t23 = t1 / (4.0 * f)
-    D_P_z = ((cos_beta * t23) - (sin_beta * (t7 * d))) + z_O
-    t24 = 2.0 * r_m
-    t25 = 0.5 * (3.0 - n_P_z)
-    t26 = t18 + t18
-    t27 = (shrink * t26) * shrink
+    n_P_z = (cos_beta * t6) + (sin_beta * t9)
+    t11 = (sin_beta * t6) - (cos_beta * t9)
+    t12 = (t8 * t11) - (t7 * t10)
+    t13 = (t7 * t11) + (t8 * t10)
+    t14 = 1.0 + n_P_z
+    t15 = 1.0e-6 < t14
+    face_down = xp.logical_not(t15)
+    lean = call.select(face_down, 1.0, t14)
+    t16 = 1.0 / lean
+    t17 = t12 * t16
+    t18 = t17 * t17
+    t19 = t13 * t16
+    t20 = t19 * t19
+    shrink = 1.0 / (1.0 + (t18 + t20))
+    t21 = 2.0 - shrink
+    t22 = t17 + t17
+    t23 = (shrink * t22) * shrink
+    t24 = t2 / (4.0 * f)
+    D_P_z = ((cos_beta * t24) - (sin_beta * (t8 * d))) + z_O
+    t25 = 2.0 * r_m
+    t26 = r_m * shrink
+    t27 = 0.5 * (3.0 - n_P_z)
+    t28 = 2.0 * t16
+    t29 = t19 + t19
+    t30 = (shrink * t29) * shrink
     sin_phi = xp.sin(phi)
     cos_phi = xp.cos(phi)
-    t28 = (cos_phi * f_d_x) + (sin_phi * f_d_y)
-    t29 = (cos_phi * f_d_y) - (sin_phi * f_d_x)
-    t30 = mass * g
-    load_force_z = f_d_z - t30
-    t31 = r_m * (t19 - t17)
-    t32 = t24 * t16
-    t33 = t32 * t18
-    t34 = (
-        (t28 * (((r_m * t21) * shrink) + (t31 * t22))) + (t29 * ((t33 * t22) - ((t24 * t18) *
+    t31 = (cos_phi * f_d_x) + (sin_phi * f_d_y)
+    t32 = (cos_phi * f_d_y) - (sin_phi * f_d_x)
+    t33 = mass * g
+    load_force_z = f_d_z - t33
+    t34 = r_m * (t20 - t18)
+    t35 = t25 * t17
+    t36 = t35 * t19
+    t37 = (
+        (t31 * (((r_m * t22) * shrink) + (t34 * t23))) + (t32 * ((t36 * t23) - ((t25 * t19) *
         shrink)))
     )
-    t35 = t16 * t12
-    t36 = (centre_x * (1.0 - (t16 * t11))) - (centre_y * t35)
-    t37 = (centre_y * (1.0 - (t18 * t12))) - (centre_x * t35)
-    t38 = ((cos_phi * n_d_x) + (sin_phi * n_d_y)) + ((t37 - (centre_z * t12)) * t30)
-    load_moment_y = ((t36 - (centre_z * t11)) * t30) - ((cos_phi * n_d_y) - (sin_phi * n_d_x))
-    t39 = 2.0 * shrink
-    work_x = ((load_moment_y * t39) + (n_d_z * (t39 * t18))) - t34
-    t40 = (t28 * ((t31 * t27) - ((r_m * t26) * shrink))) + (t29 * ((t33 * t27) - (t32 * shrink)))
-    work_y = ((t38 * t39) - (n_d_z * (t39 * t16))) - t40
-    t41 = [None] * 3
-    t42 = [None] * 3
+    t38 = t17 * t13
+    t39 = (centre_x * (1.0 - (t17 * t12))) - (centre_y * t38)
+    t40 = (centre_y * (1.0 - (t19 * t13))) - (centre_x * t38)
+    t41 = ((cos_phi * n_d_x) + (sin_phi * n_d_y)) + ((t40 - (centre_z * t13)) * t33)
+    load_moment_y = ((t39 - (centre_z * t12)) * t33) - ((cos_phi * n_d_y) - (sin_phi * n_d_x))
+    t42 = 2.0 * shrink
+    work_x = ((load_moment_y * t42) + (n_d_z * (t42 * t19))) - t37
+    t43 = (t31 * ((t34 * t30) - ((r_m * t29) * shrink))) + (t32 * ((t36 * t30) - (t35 * shrink)))
+    work_y = ((t41 * t42) - (n_d_z * (t42 * t17))) - t43
+    t44 = [None] * 3
+    t45 = [None] * 3
     slope_z = [None] * 3
     no_rod = call.never
     for leg in range(3):
-        t43 = (t16 * leg_constants[leg]) + (t18 * leg_constants_value[leg])
-        t44 = (4.0 * t43) * t43
-        reach_q = (r_m * (t20 - (t44 * shrink))) - r_b
-        t45 = leg_constants_value2[leg] * t43
-        t46 = r_m * (t22 + ((t44 * t22) - ((t45 + t45) * shrink)))
-        t47 = t24 * t43
-        h_q = D_P_z + (t47 * shrink)
-        t48 = (
-            (reach_q * t46) + (h_q * (((leg_constants_value3[leg] * r_m) * shrink) - (t47 * t22)))
-        )
-        t49 = (t11 * leg_constants[leg]) + (t12 * leg_constants_value[leg])
-        rho = r_m * (t25 - (((2.0 * t49) * t49) * t15))
+        t46 = (t17 * leg_constants[leg]) + (t19 * leg_constants_2[leg])
+        t47 = (4.0 * t46) * t46
+        reach_q = (r_m * (t21 - (t47 * shrink))) - r_b
+        t48 = leg_constants_3[leg] * t46
+        t49 = r_m * (t23 + ((t47 * t23) - ((t48 + t48) * shrink)))
+        t50 = t25 * t46
+        h_q = D_P_z + (t50 * shrink)
+        t51 = (reach_q * t49) + (h_q * ((t26 * leg_constants_4[leg]) - (t50 * t23)))
+        t52 = (t12 * leg_constants[leg]) + (t13 * leg_constants_2[leg])
+        rho = r_m * (t27 - (t28 * (t52 * t52)))
         reach = rho - r_b
-        h = D_P_z + (r_m * t49)
+        h = D_P_z + (r_m * t52)
         l_rod = xp.sqrt((reach * reach) + (h * h))
-        t50 = 1.0e-6 < l_rod
-        length = call.select(t50, l_rod, 1.0e-6)
-        t51 = 1.0 / length
-        t41[leg] = t48 * t51
-        t52 = leg_constants_value4[leg] * t43
-        t53 = r_m * (t27 + ((t44 * t27) - ((t52 + t52) * shrink)))
-        t54 = (
-            (reach_q * t53) + (h_q * (((leg_constants_value5[leg] * r_m) * shrink) - (t47 * t27)))
-        )
-        t42[leg] = t54 * t51
-        slope_z[leg] = h_q * t51
-        t55 = xp.logical_not(t50)
-        no_rod = xp.logical_or(no_rod, t55)
-    t56 = (t42[2] * slope_z[1]) - (t42[1] * slope_z[2])
-    t57 = (t42[0] * slope_z[2]) - (t42[2] * slope_z[0])
-    t58 = (t42[1] * slope_z[0]) - (t42[0] * slope_z[1])
-    t59 = ((t41[0] * t56) + (t41[1] * t57)) + (t41[2] * t58)
-    t60 = (1.0e-6 * (r_m * r_m)) < xp.abs(t59)
-    loose = xp.logical_not(t60)
-    t61 = (t56 * work_x) + (((slope_z[2] * t41[1]) - (slope_z[1] * t41[2])) * work_y)
-    t62 = call.select(loose, 1.0, (-t59))
-    t63 = 1.0 / t62
-    t64 = (t61 + (((t41[1] * t42[2]) - (t41[2] * t42[1])) * load_force_z)) * t63
-    t65 = call.select(loose, 0.0, (-t64))
-    t66 = (t57 * work_x) + (((slope_z[0] * t41[2]) - (slope_z[2] * t41[0])) * work_y)
-    t67 = (t66 + (((t41[2] * t42[0]) - (t41[0] * t42[2])) * load_force_z)) * t63
+        t53 = 1.0e-6 < l_rod
+        length = call.select(t53, l_rod, 1.0e-6)
+        t54 = 1.0 / length
+        t44[leg] = t51 * t54
+        t55 = leg_constants_5[leg] * t46
+        t56 = r_m * (t30 + ((t47 * t30) - ((t55 + t55) * shrink)))
+        t57 = (reach_q * t56) + (h_q * ((t26 * leg_constants_6[leg]) - (t50 * t30)))
+        t45[leg] = t57 * t54
+        slope_z[leg] = h_q * t54
+        t58 = xp.logical_not(t53)
+        no_rod = xp.logical_or(no_rod, t58)
+    t59 = (t45[2] * slope_z[1]) - (t45[1] * slope_z[2])
+    t60 = (t45[0] * slope_z[2]) - (t45[2] * slope_z[0])
+    t61 = (t45[1] * slope_z[0]) - (t45[0] * slope_z[1])
+    t62 = ((t44[0] * t59) + (t44[1] * t60)) + (t44[2] * t61)
+    t63 = (t1 * t1) < (t62 * t62)
+    loose = xp.logical_not(t63)
+    t64 = (t59 * work_x) + (((slope_z[2] * t44[1]) - (slope_z[1] * t44[2])) * work_y)
+    t65 = call.select(loose, 1.0, (-t62))
+    t66 = 1.0 / t65
+    t67 = (t64 + (((t44[1] * t45[2]) - (t44[2] * t45[1])) * load_force_z)) * t66
     t68 = call.select(loose, 0.0, (-t67))
-    t69 = (t58 * work_x) + (((slope_z[1] * t41[0]) - (slope_z[0] * t41[1])) * work_y)
-    t70 = (t69 + (((t41[0] * t42[1]) - (t41[1] * t42[0])) * load_force_z)) * t63
+    t69 = (t60 * work_x) + (((slope_z[0] * t44[2]) - (slope_z[2] * t44[0])) * work_y)
+    t70 = (t69 + (((t44[2] * t45[0]) - (t44[0] * t45[2])) * load_force_z)) * t66
     t71 = call.select(loose, 0.0, (-t70))
+    t72 = (t61 * work_x) + (((slope_z[1] * t44[0]) - (slope_z[0] * t44[1])) * work_y)
+    t73 = (t72 + (((t44[0] * t45[1]) - (t44[1] * t45[0])) * load_force_z)) * t66
+    t74 = call.select(loose, 0.0, (-t73))
     call.case(2, loose)  # SINGULAR
     call.case(-3, face_down)  # UNREACHABLE
     call.case(-3, no_rod)  # UNREACHABLE
     return StaticForcesResult(
-        F=call.array((3,), (t65, t68, t71)),
+        F=call.array((3,), (t68, t71, t74)),
         status=call.status,
     )
 
@@ -1867,7 +1875,7 @@ def central_ray(*, alpha, beta, f, d, r_m, z_O, phi, r_b=None, K_P=None, K_I=Non
         ("beta", beta, -1000.0, 1000.0, 0.875),
         ("f", f, 0.001, 1000.0, 6.4375),
         ("d", d, 0.0, 1000.0, 1.2875),
-        ("r_m", r_m, 0.0, 1000.0, 0.64375),
+        ("r_m", r_m, 0.0, 1000.0, 0.7),
         ("z_O", z_O, 0.0, 1000.0, 6.625),
         ("phi", phi, -1000.0, 1000.0, 0.8),
     )
@@ -1936,7 +1944,7 @@ def aim_at_receiver(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None
     """Rotation, point and rods of a facet whose normal halves the angle between sun and receiver,
     by five steps of Newton's method.
 
-    738 flops (421 mul, 276 add, 25 div, 16 sqrt), 6 sin/cos, 0 atan2
+    734 flops (417 mul, 276 add, 25 div, 16 sqrt), 6 sin/cos, 0 atan2
 
     Args:
         alpha: azimuth of the dish's axis from the east, counter-clockwise, rad
@@ -1963,14 +1971,14 @@ def aim_at_receiver(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None
         ("f", f, 0.001, 1000.0, 6.4375),
         ("d", d, 0.0, 1000.0, 1.2875),
         ("r_b", r_b, 0.0, 1000.0, 0.64375),
-        ("r_m", r_m, 0.0, 1000.0, 0.64375),
+        ("r_m", r_m, 0.0, 1000.0, 0.7),
         ("z_O", z_O, 0.0, 1000.0, 6.625),
         ("phi", phi, -1000.0, 1000.0, 0.8),
     )
     xp = call.xp
     (alpha, beta, f, d, r_b, r_m, z_O, phi) = call.values
     leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_value = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
     t1 = d * d
     t2 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t2 * t2))
@@ -2096,26 +2104,28 @@ def aim_at_receiver(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None
     M_aimed_x = H_T_P_p_x + ((sin_phi * M_q_y_value) - (cos_phi * M_q_x_value))
     M_aimed_y = H_T_P_p_y - ((sin_phi * M_q_x_value) + (cos_phi * M_q_y_value))
     t88 = 2.0 - shrink_value
+    t89 = 4.0 * shrink_value
+    t90 = t17 * shrink_value
     way_q_x_value = focus_x - M_q_x_value
-    t89 = t16 + M_q_y_value
-    t90 = xp.sqrt(((way_q_x_value * way_q_x_value) + (t89 * t89)) + t19)
-    m_x_value = way_q_x_value - (t90 * t14)
-    t91 = t89 + (t90 * t15)
-    m_z_value = way_q_z + (t90 * c_P_z)
-    t92 = xp.sqrt(((m_x_value * m_x_value) + (t91 * t91)) + (m_z_value * m_z_value))
-    t93 = t92 + m_z_value
-    off_x_value = (q_x * t93) - m_x_value
-    t94 = 0.00001 * t92
-    t95 = xp.abs(off_x_value) < t94
-    off_y_value = (q_y * t93) + t91
-    t96 = xp.abs(off_y_value) < t94
-    t97 = xp.logical_and(t95, t96)
-    astray = xp.logical_not(t97)
+    t91 = t16 + M_q_y_value
+    t92 = xp.sqrt(((way_q_x_value * way_q_x_value) + (t91 * t91)) + t19)
+    m_x_value = way_q_x_value - (t92 * t14)
+    t93 = t91 + (t92 * t15)
+    m_z_value = way_q_z + (t92 * c_P_z)
+    t94 = xp.sqrt(((m_x_value * m_x_value) + (t93 * t93)) + (m_z_value * m_z_value))
+    t95 = t94 + m_z_value
+    off_x_value = (q_x * t95) - m_x_value
+    t96 = 0.00001 * t94
+    t97 = xp.abs(off_x_value) < t96
+    off_y_value = (q_y * t95) + t93
+    t98 = xp.abs(off_y_value) < t96
+    t99 = xp.logical_and(t97, t98)
+    astray = xp.logical_not(t99)
     l_aimed = [None] * 3
     for leg in range(3):
-        w_q = (q_x * leg_constants[leg]) + (q_y * leg_constants_value[leg])
-        reach_q = (r_m * (t88 - (((4.0 * w_q) * w_q) * shrink_value))) - r_b
-        h_q = D_P_z - ((t17 * w_q) * shrink_value)
+        w_q = (q_x * leg_constants[leg]) + (q_y * leg_constants_2[leg])
+        reach_q = (r_m * (t88 - (t89 * (w_q * w_q)))) - r_b
+        h_q = D_P_z - (t90 * w_q)
         l_aimed[leg] = xp.sqrt((reach_q * reach_q) + (h_q * h_q))
     call.case(-4, astray)  # NOT_CONVERGED
     call.case(-3, face_down)  # UNREACHABLE

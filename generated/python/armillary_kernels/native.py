@@ -201,7 +201,8 @@ def _pointers(arrays: list[Any]) -> Any:
     made = (ctypes.c_void_p * max(1, len(arrays)))()
     for k, a in enumerate(arrays):
         made[k] = a.ctypes.data
-    made.arrays = arrays  # as long as the pointers live, so do the arrays
+    # As long as the pointers live, so do the arrays.
+    made.arrays = arrays  # type: ignore[attr-defined]
     return made
 
 

@@ -7,8 +7,8 @@
  * east-north-up unless stated. Matrices are flat and row-major. Every function returns
  * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
  * negative means that no result was written. No pointer may be null. Inputs are read
- * before results are written, so they may overlap. Where an input and a result have one
- * name, the result's argument ends in _out.
+ * before results are written, so they may overlap, except where a function says that they
+ * must not. Where an input and a result have one name, the result's argument ends in _out.
  */
 #ifndef ARMILLARY_DISH_3RPS_H
 #define ARMILLARY_DISH_3RPS_H
@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_DISH_3RPS_ABI 0xce70f6bdUL
+#define ARMILLARY_DISH_3RPS_ABI 0xea727ce5UL
 
 #ifdef __cplusplus
 extern "C" {
@@ -35,7 +35,7 @@ typedef struct {
       1]. */
   float r_b;
   /** Radius of the circle of the platform joints, m, refused outside [0, 1000], working range
-      [0.05, 1]. */
+      [0.2, 1]. */
   float r_m;
   /** Height of the dish's vertex above the ground, m, refused outside [0, 1000], working range
       [1, 10]. */
@@ -136,7 +136,7 @@ int dish_3rps_off_dish_f32(const dish_3rps_params_f32 *p, float alpha, float bet
 /**
  * @brief Lengths of the three rods of one facet.
  *
- * Cost: 79 flops (47 mul, 25 add, 3 div, 4 sqrt), 4 sin/cos, 0 atan2.
+ * Cost: 77 flops (45 mul, 25 add, 3 div, 4 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -151,7 +151,7 @@ int dish_3rps_rod_lengths_f32(const dish_3rps_params_f32 *p, float alpha, float 
 /**
  * @brief Lengths of the rods of four facets, at 0, 90, 180 and 270 degrees; phi is not used.
  *
- * Cost: 333 flops (201 mul, 113 add, 6 div, 13 sqrt), 4 sin/cos, 0 atan2.
+ * Cost: 322 flops (190 mul, 113 add, 6 div, 13 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: phi, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -216,7 +216,7 @@ int dish_3rps_facet_rates_f32(
 /**
  * @brief Jacobian from the facet's twist about its point to the rates of its rods.
  *
- * Cost: 188 flops (124 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 186 flops (122 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -253,7 +253,7 @@ int dish_3rps_jacobian_b_f32(
  * @brief Jacobian from the facet's twist about its point to the rates of its rods, over the
  *     rates that its hinges make zero.
  *
- * Cost: 221 flops (148 mul, 63 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 219 flops (146 mul, 63 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -271,7 +271,7 @@ int dish_3rps_jacobian_full_f32(
 /**
  * @brief Jacobian from the facet's twist about its point to the rates of its hinges.
  *
- * Cost: 206 flops (142 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 204 flops (140 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -313,7 +313,7 @@ int dish_3rps_passive_rates_f32(
 /**
  * @brief Angles of the three S-joints: between rod and facet normal, in [0, pi].
  *
- * Cost: 145 flops (89 mul, 46 add, 3 div, 7 sqrt), 4 sin/cos, 3 atan2.
+ * Cost: 143 flops (87 mul, 46 add, 3 div, 7 sqrt), 4 sin/cos, 3 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -330,7 +330,7 @@ int dish_3rps_joint_angles_f32(const dish_3rps_params_f32 *p, float alpha, float
 /**
  * @brief Angles of the three hinges: of the rods from the vertical, outward positive.
  *
- * Cost: 79 flops (47 mul, 25 add, 3 div, 4 sqrt), 4 sin/cos, 3 atan2.
+ * Cost: 77 flops (45 mul, 25 add, 3 div, 4 sqrt), 4 sin/cos, 3 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -349,12 +349,12 @@ int dish_3rps_revolute_angles_f32(
  * @brief Rotation and point of the facet on rods of the lengths given, by eight steps of
  *     Newton's method from a guess.
  *
- * Cost: 1803 flops (1033 mul, 748 add, 21 div, 1 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 1799 flops (1029 mul, 748 add, 21 div, 1 sqrt), 6 sin/cos, 0 atan2.
+ * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[in] l length of rod i, for each leg, m, refused outside [0, 1000], working range [1,
- *     10]
+ * @param[in] l length of rod i, for each leg, m, refused outside [0, 1000], working range [2, 4]
  * @param[in] guess where the search starts: alpha and beta in rad and z_O in m, refused outside
- *     [-1000, 1000], working range [-3, 3]
+ *     [-1000, 1000], working range [0, 1.5]
  * @param[out] H_R_M rotation of the facet on rods of the lengths given, 3 by 3, row-major
  *     (dish_3rps-H_R_found)
  * @param[out] M the facet's point on rods of the lengths given, {H}, m (dish_3rps-M_found)
@@ -369,7 +369,7 @@ int dish_3rps_forward_f32(
  * @brief Forces of the three rods that hold the facet against its weight and a disturbance, push
  *     positive.
  *
- * Cost: 348 flops (223 mul, 113 add, 8 div, 4 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 343 flops (218 mul, 113 add, 8 div, 4 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -418,7 +418,7 @@ int dish_3rps_central_ray_f32(
  * @brief Rotation, point and rods of a facet whose normal halves the angle between sun and
  *     receiver, by five steps of Newton's method.
  *
- * Cost: 738 flops (421 mul, 276 add, 25 div, 16 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 734 flops (417 mul, 276 add, 25 div, 16 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -438,7 +438,7 @@ int dish_3rps_aim_at_receiver_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float H_R_M[9], float M[3],
     float l[3]);
 
-/** What the rod control keeps from call to call. */
+/** State of the rod control, kept from call to call. */
 typedef struct {
   /** Integral part of the force, N, refused outside [-1e+06, 1e+06], working range [-10000,
       10000]. */
@@ -501,7 +501,7 @@ typedef struct {
       1]. */
   double r_b;
   /** Radius of the circle of the platform joints, m, refused outside [0, 1000], working range
-      [0.05, 1]. */
+      [0.2, 1]. */
   double r_m;
   /** Height of the dish's vertex above the ground, m, refused outside [0, 1000], working range
       [1, 10]. */
@@ -603,7 +603,7 @@ int dish_3rps_off_dish_f64(
 /**
  * @brief Lengths of the three rods of one facet.
  *
- * Cost: 79 flops (47 mul, 25 add, 3 div, 4 sqrt), 4 sin/cos, 0 atan2.
+ * Cost: 77 flops (45 mul, 25 add, 3 div, 4 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -619,7 +619,7 @@ int dish_3rps_rod_lengths_f64(
 /**
  * @brief Lengths of the rods of four facets, at 0, 90, 180 and 270 degrees; phi is not used.
  *
- * Cost: 333 flops (201 mul, 113 add, 6 div, 13 sqrt), 4 sin/cos, 0 atan2.
+ * Cost: 322 flops (190 mul, 113 add, 6 div, 13 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: phi, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -684,7 +684,7 @@ int dish_3rps_facet_rates_f64(
 /**
  * @brief Jacobian from the facet's twist about its point to the rates of its rods.
  *
- * Cost: 188 flops (124 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 186 flops (122 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -721,7 +721,7 @@ int dish_3rps_jacobian_b_f64(
  * @brief Jacobian from the facet's twist about its point to the rates of its rods, over the
  *     rates that its hinges make zero.
  *
- * Cost: 221 flops (148 mul, 63 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 219 flops (146 mul, 63 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -739,7 +739,7 @@ int dish_3rps_jacobian_full_f64(
 /**
  * @brief Jacobian from the facet's twist about its point to the rates of its hinges.
  *
- * Cost: 206 flops (142 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 204 flops (140 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -781,7 +781,7 @@ int dish_3rps_passive_rates_f64(
 /**
  * @brief Angles of the three S-joints: between rod and facet normal, in [0, pi].
  *
- * Cost: 145 flops (89 mul, 46 add, 3 div, 7 sqrt), 4 sin/cos, 3 atan2.
+ * Cost: 143 flops (87 mul, 46 add, 3 div, 7 sqrt), 4 sin/cos, 3 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -799,7 +799,7 @@ int dish_3rps_joint_angles_f64(
 /**
  * @brief Angles of the three hinges: of the rods from the vertical, outward positive.
  *
- * Cost: 79 flops (47 mul, 25 add, 3 div, 4 sqrt), 4 sin/cos, 3 atan2.
+ * Cost: 77 flops (45 mul, 25 add, 3 div, 4 sqrt), 4 sin/cos, 3 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -818,12 +818,12 @@ int dish_3rps_revolute_angles_f64(
  * @brief Rotation and point of the facet on rods of the lengths given, by eight steps of
  *     Newton's method from a guess.
  *
- * Cost: 1803 flops (1033 mul, 748 add, 21 div, 1 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 1799 flops (1029 mul, 748 add, 21 div, 1 sqrt), 6 sin/cos, 0 atan2.
+ * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[in] l length of rod i, for each leg, m, refused outside [0, 1000], working range [1,
- *     10]
+ * @param[in] l length of rod i, for each leg, m, refused outside [0, 1000], working range [2, 4]
  * @param[in] guess where the search starts: alpha and beta in rad and z_O in m, refused outside
- *     [-1000, 1000], working range [-3, 3]
+ *     [-1000, 1000], working range [0, 1.5]
  * @param[out] H_R_M rotation of the facet on rods of the lengths given, 3 by 3, row-major
  *     (dish_3rps-H_R_found)
  * @param[out] M the facet's point on rods of the lengths given, {H}, m (dish_3rps-M_found)
@@ -838,7 +838,7 @@ int dish_3rps_forward_f64(
  * @brief Forces of the three rods that hold the facet against its weight and a disturbance, push
  *     positive.
  *
- * Cost: 348 flops (223 mul, 113 add, 8 div, 4 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 343 flops (218 mul, 113 add, 8 div, 4 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -887,7 +887,7 @@ int dish_3rps_central_ray_f64(
  * @brief Rotation, point and rods of a facet whose normal halves the angle between sun and
  *     receiver, by five steps of Newton's method.
  *
- * Cost: 738 flops (421 mul, 276 add, 25 div, 16 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 734 flops (417 mul, 276 add, 25 div, 16 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -907,7 +907,7 @@ int dish_3rps_aim_at_receiver_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double H_R_M[9], double M[3],
     double l[3]);
 
-/** What the rod control keeps from call to call. */
+/** State of the rod control, kept from call to call. */
 typedef struct {
   /** Integral part of the force, N, refused outside [-1e+06, 1e+06], working range [-10000,
       10000]. */

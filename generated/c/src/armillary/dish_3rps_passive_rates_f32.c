@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0xce70f6bdUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0xea727ce5UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -56,7 +56,7 @@ int dish_3rps_passive_rates_f32(
     }
   } else {
     const float leg_constants[3] = {1.0f, -0.5f, -0.5f};
-    const float leg_constants_value[3] = {0.0f, 0.8660254f, -0.8660254f};
+    const float leg_constants_2[3] = {0.0f, 0.8660254f, -0.8660254f};
     const float t1 = d * d;
     const float t2 = t1 / (4.0f * f);
     const float psi = alpha - phi; /* dish_3rps-psi */
@@ -98,9 +98,9 @@ int dish_3rps_passive_rates_f32(
     float t30[3];
     int no_rod = 0;
     for (int leg = 0; leg < 3; ++leg) {
-      const float t31 = (t14 * leg_constants[leg]) + (t15 * leg_constants_value[leg]);
+      const float t31 = (t14 * leg_constants[leg]) + (t15 * leg_constants_2[leg]);
       const float h = D_P_z + (r_m * t31); /* dish_3rps-h */
-      const float t32 = (t20 * leg_constants[leg]) + (t21 * leg_constants_value[leg]);
+      const float t32 = (t20 * leg_constants[leg]) + (t21 * leg_constants_2[leg]);
       const float t33 = 2.0f * t31;
       const float t34 = (t33 * t31) * t25;
       const float t35 = (((2.0f * t32) * t31) + (t33 * t32)) - (t34 * t26);

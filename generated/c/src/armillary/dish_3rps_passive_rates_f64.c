@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0xce70f6bdUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0xea727ce5UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -58,7 +58,7 @@ int dish_3rps_passive_rates_f64(
     }
   } else {
     const double leg_constants[3] = {1.0, -0.5, -0.5};
-    const double leg_constants_value[3] = {0.0, 0.8660254037844386, -0.8660254037844386};
+    const double leg_constants_2[3] = {0.0, 0.8660254037844386, -0.8660254037844386};
     const double t1 = d * d;
     const double t2 = t1 / (4.0 * f);
     const double psi = alpha - phi; /* dish_3rps-psi */
@@ -100,9 +100,9 @@ int dish_3rps_passive_rates_f64(
     double t30[3];
     int no_rod = 0;
     for (int leg = 0; leg < 3; ++leg) {
-      const double t31 = (t14 * leg_constants[leg]) + (t15 * leg_constants_value[leg]);
+      const double t31 = (t14 * leg_constants[leg]) + (t15 * leg_constants_2[leg]);
       const double h = D_P_z + (r_m * t31); /* dish_3rps-h */
-      const double t32 = (t20 * leg_constants[leg]) + (t21 * leg_constants_value[leg]);
+      const double t32 = (t20 * leg_constants[leg]) + (t21 * leg_constants_2[leg]);
       const double t33 = 2.0 * t31;
       const double t34 = (t33 * t31) * t25;
       const double t35 = (((2.0 * t32) * t31) + (t33 * t32)) - (t34 * t26);

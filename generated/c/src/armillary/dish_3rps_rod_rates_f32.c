@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0xce70f6bdUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0xea727ce5UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -56,7 +56,7 @@ int dish_3rps_rod_rates_f32(
     }
   } else {
     const float leg_constants[3] = {1.0f, -0.5f, -0.5f};
-    const float leg_constants_value[3] = {0.0f, 0.8660254f, -0.8660254f};
+    const float leg_constants_2[3] = {0.0f, 0.8660254f, -0.8660254f};
     const float t1 = d * d;
     const float t2 = 2.0f * f;
     const float slope_length = sqrtf(t1 + (t2 * t2)); /* dish_3rps-slope_length */
@@ -98,12 +98,12 @@ int dish_3rps_rod_rates_f32(
     float l_dot_value[3];
     int no_rod = 0;
     for (int leg = 0; leg < 3; ++leg) {
-      const float t30 = (t12 * leg_constants[leg]) + (t13 * leg_constants_value[leg]);
+      const float t30 = (t12 * leg_constants[leg]) + (t13 * leg_constants_2[leg]);
       const float t31 = 2.0f * t30;
       const float t32 = (t31 * t30) * t17;
       const float rho = r_m * (t14 - t32); /* dish_3rps-rho */
       const float reach = rho - r_b; /* dish_3rps-reach */
-      const float t33 = (t22 * leg_constants[leg]) + (t23 * leg_constants_value[leg]);
+      const float t33 = (t22 * leg_constants[leg]) + (t23 * leg_constants_2[leg]);
       const float t34 = (((2.0f * t33) * t30) + (t31 * t33)) - (t32 * t25);
       const float h = D_P_z + (r_m * t30); /* dish_3rps-h */
       const float t35 = (h * (t29 + (r_m * t33))) - (reach * (r_m * ((t34 * t17) - t24)));

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0xce70f6bdUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0xea727ce5UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -58,7 +58,7 @@ int dish_3rps_rod_rates_f64(
     }
   } else {
     const double leg_constants[3] = {1.0, -0.5, -0.5};
-    const double leg_constants_value[3] = {0.0, 0.8660254037844386, -0.8660254037844386};
+    const double leg_constants_2[3] = {0.0, 0.8660254037844386, -0.8660254037844386};
     const double t1 = d * d;
     const double t2 = 2.0 * f;
     const double slope_length = sqrt(t1 + (t2 * t2)); /* dish_3rps-slope_length */
@@ -100,12 +100,12 @@ int dish_3rps_rod_rates_f64(
     double l_dot_value[3];
     int no_rod = 0;
     for (int leg = 0; leg < 3; ++leg) {
-      const double t30 = (t12 * leg_constants[leg]) + (t13 * leg_constants_value[leg]);
+      const double t30 = (t12 * leg_constants[leg]) + (t13 * leg_constants_2[leg]);
       const double t31 = 2.0 * t30;
       const double t32 = (t31 * t30) * t17;
       const double rho = r_m * (t14 - t32); /* dish_3rps-rho */
       const double reach = rho - r_b; /* dish_3rps-reach */
-      const double t33 = (t22 * leg_constants[leg]) + (t23 * leg_constants_value[leg]);
+      const double t33 = (t22 * leg_constants[leg]) + (t23 * leg_constants_2[leg]);
       const double t34 = (((2.0 * t33) * t30) + (t31 * t33)) - (t32 * t25);
       const double h = D_P_z + (r_m * t30); /* dish_3rps-h */
       const double t35 = (h * (t29 + (r_m * t33))) - (reach * (r_m * ((t34 * t17) - t24)));
