@@ -23,7 +23,7 @@ from .symbols import (
     theta_rim,
     z_dot,
 )
-from .dish import alpha_aim, at_zenith, beta_aim, dish, f_rim
+from .dish import alpha_aim, at_zenith, beta_aim, f_rim
 from .facet import H_R_M, M, face_down, off_dish
 from .rods import face_down_all, l_all, l_rod, no_rod
 from .rates import J, J_A, J_B, J_P, Omega_M, l_dot, v_M
@@ -44,6 +44,8 @@ from .control import (
     v,
     v_next,
 )
+
+from .picture import POSE, scene
 
 derivation = d
 angles = [alpha, beta]
@@ -247,10 +249,10 @@ d.assume(
     "the facet would keep to its hinges too."
 )
 d.picture(
-    dish,
-    at={"alpha": 0.5, "beta": 0.7, "z_O": 1.6, "phi": 0.3, "d": 1.0, "f": 1.2, "eta": 0.39},
-    sun=None,
-    caption="The dish that the facets act, from {H} on the ground to {M} on the mirror. The "
-    "vertex stays in place; the dish leans by beta towards alpha. Its facet is carried here as the "
-    "dish would carry it; on its rods it keeps the normal and the height, and steps aside.",
+    scene,
+    at=POSE,
+    caption="The four facets act a dish that turns about its vertex O to face the sun. Its "
+    "meridians are drawn through them, and the circle of their points. Each facet stands on three "
+    "rods, hinged to the ground about P; a rod keeps to the upright plane through P. The facet M "
+    "has the normal and the height of the dish's point, and stands a little aside of it.",
 )

@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
+from armillary import Derivation, number
 from armillary.program.arithmetic import Floats
+from armillary.program.compile import compile_kernel
 from armillary.program.evaluate import evaluate, guard_status
 from armillary.verify import parity
 from armillary.verify.implementations import Implementation
@@ -162,3 +164,10 @@ def test_the_evaluator_itself_must_have_a_value(tmp_path):
     assert not values.passed
     assert values.why.startswith("no real value")
     assert values.at == {"t": 0.0}
+
+
+def test_a_kernel_that_reads_nothing_has_one_point():
+    d = Derivation("demo", title="Demo")
+    d.parameter.length("r", "not read")
+    d.kernel("origin", inputs=[], outputs={"zero": number(0)})
+    assert parity.Reference(compile_kernel(d.kernels["origin"]).program).points == {}
