@@ -8,8 +8,8 @@ from .rates import r_S
 from .symbols import dist, leg, phi, phi_N, r_b
 
 POSE = {
-    "alpha": -1.2, "beta": 0.55, "z_O": 2.0, "d": 0.9, "f": 1.6, "r_b": 0.2, "r_m": 0.34,
-    "phi": 0.0, "eta": 0.27,
+    "alpha": -1.2, "beta": 0.55, "z_O": 2.0, "d": 1.0, "f": 1.6, "r_b": 0.2, "r_m": 0.34,
+    "phi": 0.0,
 }  # fmt: skip
 WAY = 3.1415926
 
@@ -24,7 +24,7 @@ _joints = _of_each(M + r_S)
 _level = Axes(*(vector(*(int(k == j) for j in range(3))) for k in (X, Y, Z)))
 _base = Axes(*(H_T_P.rotation.column(k) for k in (X, Y, Z)))
 _facet = Axes(*(from_base(tilt.column(k)) for k in (X, Y, Z)))
-_SIZE = 0.45
+_SIZE = 0.34
 
 scene = Scene(
     (

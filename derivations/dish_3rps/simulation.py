@@ -1,8 +1,21 @@
-"""The dish once more: hinges in MuJoCo, rods in single precision, the law in SciPy."""
+"""The dish once more: hinges in NumPy, SciPy and MuJoCo, rods in single precision, the law."""
 
 from armillary.verify.engines import each
 
 from .checks_of_control import law_at_its_bound, law_by_scipy
+from .checks_of_kinematics import (
+    aim_by_scipy,
+    facets_face_down,
+    forces_by_balance,
+    forward_inverts,
+    jacobians_of_the_rods,
+    joints_by_numpy,
+    planes_of_an_aimed_facet,
+    planes_of_the_hinges,
+    pose_by_scipy,
+    rates_by_complex_steps,
+    rods_that_hold_nothing,
+)
 from .checks_of_multibody import forces_by_mujoco, poses_by_mujoco
 from .checks_of_rods import (
     extremes_of_the_paper,
@@ -18,6 +31,17 @@ def checks(kernels):
     """Everything measured about the dish."""
     yield from each(
         kernels,
+        planes_of_the_hinges,
+        pose_by_scipy,
+        rates_by_complex_steps,
+        jacobians_of_the_rods,
+        joints_by_numpy,
+        forces_by_balance,
+        forward_inverts,
+        planes_of_an_aimed_facet,
+        aim_by_scipy,
+        facets_face_down,
+        rods_that_hold_nothing,
         facets_by_turning,
         poses_by_mujoco,
         forces_by_mujoco,

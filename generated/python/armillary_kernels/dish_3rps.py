@@ -28,7 +28,7 @@ def focal_length(*, D, theta_rim, f=None, d=None, r_b=None, r_m=None, z_O=None, 
     K_P=None, K_I=None, K_D=None, T_D=None, T_S=None, F_max=None, K_V=None, F_C=None, v_C=None):
     """Focal length of a dish by its diameter and its edge angle.
 
-    4 flops (2 mul, 1 add, 1 div, 0 sqrt), 2 sin/cos, 0 atan2
+    4 flops (3 mul, 0 add, 1 div, 0 sqrt), 2 sin/cos, 0 atan2
 
     Args:
         D: diameter of the dish, m
@@ -46,9 +46,10 @@ def focal_length(*, D, theta_rim, f=None, d=None, r_b=None, r_m=None, z_O=None, 
     )
     xp = call.xp
     (D, theta_rim) = call.values
-    cos_theta_rim = xp.cos(theta_rim)
-    sin_theta_rim = xp.sin(theta_rim)
-    f_rim = (D * (1.0 + cos_theta_rim)) / (4.0 * sin_theta_rim)
+    t1 = 0.5 * theta_rim
+    t2 = xp.cos(t1)
+    t3 = xp.sin(t1)
+    f_rim = (D * t2) / (4.0 * t3)
     return FocalLengthResult(
         f=call.array((), (f_rim,)),
         status=call.status,
@@ -1852,7 +1853,7 @@ def central_ray(*, alpha, beta, f, d, r_m, z_O, phi, r_b=None, K_P=None, K_I=Non
     T_D=None, T_S=None, F_max=None, K_V=None, F_C=None, v_C=None):
     """How far the central ray passes the focus when the facet has the dish's normal.
 
-    81 flops (48 mul, 27 add, 4 div, 2 sqrt), 4 sin/cos, 1 atan2
+    87 flops (50 mul, 31 add, 4 div, 2 sqrt), 4 sin/cos, 1 atan2
 
     Args:
         alpha: azimuth of the dish's axis from the east, counter-clockwise, rad
@@ -1894,34 +1895,37 @@ def central_ray(*, alpha, beta, f, d, r_m, z_O, phi, r_b=None, K_P=None, K_I=Non
     t7 = 1.0 / slope_length
     t8 = t7 * d
     t9 = t7 * t6
-    t10 = t2 * t8
-    t11 = t1 * t8
-    n_P_z = (c_P_z * t9) + (sin_beta * t10)
-    t12 = (sin_beta * t9) - (c_P_z * t10)
-    t13 = (t2 * t12) - (t1 * t11)
-    t14 = (t1 * t12) + (t2 * t11)
+    t10 = c_P_z * t2
+    t11 = (t2 * t10) + (t1 * t1)
+    t12 = t1 * (t10 - t2)
+    t13 = (t9 * t3) - (t8 * t11)
+    t14 = (t9 * t4) - (t8 * t12)
+    n_P_z = (t8 * t3) + (t9 * c_P_z)
     t15 = 2.0 * (((t3 * t13) + (t4 * t14)) + (c_P_z * n_P_z))
     ray_x = t3 - (t15 * t13)
     ray_y = t4 - (t15 * t14)
     ray_z = (t15 * n_P_z) - c_P_z
-    focus_x = d - (f * t3)
-    focus_z = z_O + (f * c_P_z)
     t16 = 1.0 + n_P_z
     t17 = 1.0e-6 < t16
     face_down = xp.logical_not(t17)
     lean = call.select(face_down, 1.0, t16)
     x_M = (r_m * ((t14 * t14) - (t13 * t13))) / (2.0 * lean)
-    y_M = ((r_m * t13) * t14) / lean
     t18 = t5 / (4.0 * f)
+    D_P_x = d - ((d * t11) + (t18 * t3))
     D_P_z = ((t18 * c_P_z) - (d * t3)) + z_O
+    off_P_x = x_M - D_P_x
+    y_M = ((r_m * t13) * t14) / lean
+    off_P_y = y_M + ((d * t12) + (t18 * t4))
+    t19 = ray_z * off_P_y
+    t20 = ray_z * off_P_x
+    t21 = (ray_x * off_P_y) - (ray_y * off_P_x)
+    miss = xp.sqrt(((t19 * t19) + (t20 * t20)) + (t21 * t21))
+    focus_x = d - (f * t3)
+    focus_z = z_O + (f * c_P_z)
     way_x = focus_x - x_M
-    t19 = (f * t4) + y_M
     way_z = focus_z - D_P_z
-    t20 = (ray_y * way_z) + (ray_z * t19)
-    t21 = (ray_z * way_x) - (ray_x * way_z)
-    t22 = (ray_x * t19) + (ray_y * way_x)
-    miss = xp.sqrt(((t20 * t20) + (t21 * t21)) + (t22 * t22))
-    miss_angle = xp.atan2(miss, ((ray_x * way_x) - (ray_y * t19)) + (ray_z * way_z))
+    t22 = ((ray_x * way_x) - (ray_y * ((f * t4) + y_M))) + (ray_z * way_z)
+    miss_angle = xp.atan2(miss, t22)
     call.case(-3, face_down)  # UNREACHABLE
     return CentralRayResult(
         miss=call.array((), (miss,)),

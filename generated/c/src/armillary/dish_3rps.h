@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_DISH_3RPS_ABI 0xea727ce5UL
+#define ARMILLARY_DISH_3RPS_ABI 0x95989627UL
 
 #ifdef __cplusplus
 extern "C" {
@@ -71,7 +71,7 @@ typedef struct {
 /**
  * @brief Focal length of a dish by its diameter and its edge angle.
  *
- * Cost: 4 flops (2 mul, 1 add, 1 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 4 flops (3 mul, 0 add, 1 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] D diameter of the dish, m, refused outside [0, 1000], working range [0.5, 20]
  * @param[in] theta_rim edge angle: at the focus, from the axis to the rim, rad, refused outside
@@ -399,7 +399,7 @@ int dish_3rps_static_forces_f32(
 /**
  * @brief How far the central ray passes the focus when the facet has the dish's normal.
  *
- * Cost: 81 flops (48 mul, 27 add, 4 div, 2 sqrt), 4 sin/cos, 1 atan2.
+ * Cost: 87 flops (50 mul, 31 add, 4 div, 2 sqrt), 4 sin/cos, 1 atan2.
  * @param[in] p parameters; not read: r_b, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -537,7 +537,7 @@ typedef struct {
 /**
  * @brief Focal length of a dish by its diameter and its edge angle.
  *
- * Cost: 4 flops (2 mul, 1 add, 1 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 4 flops (3 mul, 0 add, 1 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] D diameter of the dish, m, refused outside [0, 1000], working range [0.5, 20]
  * @param[in] theta_rim edge angle: at the focus, from the axis to the rim, rad, refused outside
@@ -868,7 +868,7 @@ int dish_3rps_static_forces_f64(
 /**
  * @brief How far the central ray passes the focus when the facet has the dish's normal.
  *
- * Cost: 81 flops (48 mul, 27 add, 4 div, 2 sqrt), 4 sin/cos, 1 atan2.
+ * Cost: 87 flops (50 mul, 31 add, 4 div, 2 sqrt), 4 sin/cos, 1 atan2.
  * @param[in] p parameters; not read: r_b, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
