@@ -1,5 +1,6 @@
 """Passes: pure functions from a program to a cheaper one with the same values."""
 
+from armillary.program.passes.angle_sums import open_angle_sums
 from armillary.program.passes.arc_tangents import open_arc_tangents
 from armillary.program.passes.divisions import share_reciprocals
 from armillary.program.passes.factor import factor_sums
@@ -8,6 +9,7 @@ from armillary.program.passes.regroup import regroup_products
 
 PASSES = (
     expand_multiple_angles,
+    open_angle_sums,
     open_arc_tangents,
     regroup_products,
     factor_sums,
@@ -19,6 +21,7 @@ __all__ = [
     "PASSES",
     "expand_multiple_angles",
     "factor_sums",
+    "open_angle_sums",
     "open_arc_tangents",
     "regroup_products",
     "share_reciprocals",
