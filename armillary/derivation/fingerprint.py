@@ -45,6 +45,13 @@ def kernel_digest(derivation: Derivation, kernel: Kernel) -> str:
     return _hash(parts)
 
 
+def blocks_digest(derivation: Derivation, *blocks: object) -> str:
+    """A hash of expressions and of all definitions that they stand on."""
+    digest = _Digest()
+    parts = [digest.of(block) for block in blocks]
+    return _hash([*parts, *_definitions(_reached(derivation, blocks).values())])
+
+
 def system_digest(derivation: Derivation) -> str:
     """A hash of all that a system states.
 
