@@ -7,7 +7,7 @@ rotation's own axis, taken in the frame where that axis is a basis vector.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import singledispatch
 from typing import overload
 
@@ -36,15 +36,23 @@ from armillary.algebra.turning import Turning, azimuth_rate, elevation_rate, tur
 Leaf = s.Symbol | v.VectorSymbol | RotationSymbol
 # How fast a symbol moves: a rotation by its angular velocity in the outer frame.
 Seed = Callable[[Leaf], "s.Scalar | v.Vector"]
+# A value, met by identity, and its derivative; whoever states it answers for it.
+Known = Mapping["s.Scalar | v.Vector", "s.Scalar | v.Vector"]
 
 
 class Differentiator:
     """Derivatives under one seed; each node of the graph is visited once."""
 
-    def __init__(self, seed: Seed) -> None:
+    def __init__(self, seed: Seed, known: Known | None = None) -> None:
         self.seed = seed
         self._scalars: dict[s.Scalar, s.Scalar] = {}
         self._vectors: dict[v.Vector, v.Vector] = {}
+        for node, change in (known or {}).items():
+            if isinstance(node, v.Vector) and isinstance(change, v.Vector):
+                self._vectors[node] = change
+            else:
+                assert isinstance(node, s.Scalar)
+                self._scalars[node] = s.as_scalar(change)
         self._turnings: dict[v.Vector, Turning] = {}
 
     def scalar(self, node: s.Scalar) -> s.Scalar:
@@ -87,25 +95,35 @@ def of_time(leaf: Leaf) -> s.Scalar | v.Vector:
 
 
 @overload
-def time_derivative(node: s.Scalar) -> s.Scalar: ...
+def time_derivative(node: s.Scalar, known: Known | None = None) -> s.Scalar: ...
 @overload
-def time_derivative(node: v.Vector) -> v.Vector: ...
-def time_derivative(node: s.Scalar | v.Vector) -> s.Scalar | v.Vector:
-    """Time derivative of a scalar, or of a vector's components in its own frame."""
-    return _derivative(node, of_time)
+def time_derivative(node: v.Vector, known: Known | None = None) -> v.Vector: ...
+def time_derivative(node: s.Scalar | v.Vector, known: Known | None = None) -> s.Scalar | v.Vector:
+    """Time derivative of a scalar, or of a vector's components in its own frame.
+
+    Args:
+        known: derivatives that have a name already, by the value that they are of.
+    """
+    return _derivative(node, of_time, known)
 
 
 @overload
-def partial(node: s.Scalar, symbol: s.Symbol) -> s.Scalar: ...
+def partial(node: s.Scalar, symbol: s.Symbol, known: Known | None = None) -> s.Scalar: ...
 @overload
-def partial(node: v.Vector, symbol: s.Symbol) -> v.Vector: ...
-def partial(node: s.Scalar | v.Vector, symbol: s.Symbol) -> s.Scalar | v.Vector:
-    """Partial derivative of a scalar or a vector by one symbol, all others held."""
-    return _derivative(node, partial_seed(symbol))
+def partial(node: v.Vector, symbol: s.Symbol, known: Known | None = None) -> v.Vector: ...
+def partial(
+    node: s.Scalar | v.Vector, symbol: s.Symbol, known: Known | None = None
+) -> s.Scalar | v.Vector:
+    """Partial derivative of a scalar or a vector by one symbol, all others held.
+
+    Args:
+        known: derivatives by that symbol that have a name already, by the value they are of.
+    """
+    return _derivative(node, partial_seed(symbol), known)
 
 
-def _derivative(node: s.Scalar | v.Vector, seed: Seed) -> s.Scalar | v.Vector:
-    d = Differentiator(seed)
+def _derivative(node: s.Scalar | v.Vector, seed: Seed, known: Known | None) -> s.Scalar | v.Vector:
+    d = Differentiator(seed, known)
     return d.vector(node) if isinstance(node, v.Vector) else d.scalar(node)
 
 

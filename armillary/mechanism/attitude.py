@@ -43,14 +43,18 @@ class Axes:
             carried = add_vectors(carried, scale(component(inner, k), self.column(k)))
         return carried
 
+    @property
+    def columns(self) -> tuple[Vector, Vector, Vector]:
+        """The three axes."""
+        return self.x, self.y, self.z
+
     def column(self, index: int) -> Vector:
         """Axis 0 (x), 1 (y) or 2 (z) of the inner frame, in the outer one."""
-        return (self.x, self.y, self.z)[index]
+        return self.columns[index]
 
     def matrix(self) -> Matrix:
         """The nine entries."""
-        columns = (self.x, self.y, self.z)
-        return Matrix(tuple(tuple(component(c, i) for c in columns) for i in range(3)))
+        return Matrix(tuple(tuple(component(c, i) for c in self.columns) for i in range(3)))
 
     def back(self, outer: Vector) -> Vector:
         """A vector of the outer frame in the inner one."""

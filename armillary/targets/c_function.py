@@ -12,7 +12,8 @@ from armillary.program.guards import index_of_parts
 from armillary.program.program import Program
 from armillary.targets.body import Body, unused, write_body
 from armillary.targets.c_guards import Test, form_line, guard_loops, refusal
-from armillary.targets.c_language import WIDTH, C, filled
+from armillary.targets.c_language import WIDTH, C
+from armillary.targets.language import Assignment
 
 
 def function_body(program: Program, language: C) -> list[str]:
@@ -166,11 +167,11 @@ class _Function:
 
     def stores(self, body: Body, room: int) -> list[str]:
         """What is written when everything is computed."""
-        lines = []
+        lines: list[str] = []
         for result, entries in zip(self.program.results, body.results, strict=True):
             for k, text in enumerate(entries):
                 name = self.result(result.name)
                 pointed = result.shape or "->" in name
                 place = f"{name}[{k}]" if result.shape else name if pointed else f"*{name}"
-                lines += filled(f"{place} = {text};", "", "    ", room)
+                lines += self.c.lines([Assignment(place, text)], room)
         return [*lines, *self.c.lines(body.stores, room - 2)]

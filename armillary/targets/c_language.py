@@ -15,6 +15,7 @@ from armillary.targets.language import (
     Numbers,
     Statement,
     Variable,
+    subscripts_kept,
 )
 from armillary.targets.numbers import Precision, shortest
 
@@ -87,7 +88,8 @@ def _noted(line: str, identifiers: tuple[str, ...], room: int) -> list[str]:
     """A line with the definitions it belongs to beside it, or above it where it is long."""
     note = f"/* {', '.join(dict.fromkeys(identifiers))} */" if identifiers else ""
     if len(line) + len(note) + 1 > room:
-        return [*([note] if note else []), *filled(line, "", "    ", room)]
+        broken = subscripts_kept(line, lambda text: filled(text, "", "    ", room))
+        return [*([note] if note else []), *broken]
     return [f"{line} {note}".rstrip()]
 
 

@@ -6,8 +6,9 @@ indices is a list of `Statement`s; loops bring in the other lines.
 
 from __future__ import annotations
 
+import re
 from abc import ABC, abstractmethod
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 
 import sympy
@@ -156,3 +157,9 @@ def flat_place(terms: list[tuple[str, int]], offset: int) -> str:
     if offset or not parts:
         parts.append(str(offset))
     return " + ".join(parts)
+
+
+def subscripts_kept(text: str, wrap: Callable[[str], list[str]]) -> list[str]:
+    """Lines of a text that is broken at spaces, but not inside of a subscript."""
+    kept = re.sub(r"\[[^\[\]]*\]", lambda found: found[0].replace(" ", "\0"), text)
+    return [line.replace("\0", " ") for line in wrap(kept)]

@@ -24,6 +24,7 @@ from armillary.targets.language import (
     Numbers,
     Statement,
     Variable,
+    subscripts_kept,
 )
 from armillary.targets.numbers import F64, shortest
 
@@ -116,7 +117,7 @@ def _function(made: PythonKernel) -> list[str]:
     lines = _filled(head, "", "    ")
     lines += _docstring(made, read, idle)
     lines += ["    call = Call("]
-    lines += [f"        {_argument(q)}," for q in read]
+    lines += [line for q in read for line in _argument_lines(q)]
     lines += ["    )", "    xp = call.xp"]
     if read:
         names = [n for q in read for n in _names(q)]
@@ -149,11 +150,11 @@ def _lines(given: Sequence[Line], indent: str) -> Iterator[str]:
             yield f"{indent}for {line.variable} in range({line.size}):"
             yield from _lines(line.lines, rest)
         elif isinstance(line, Statement):
-            yield from _filled(f"{line.name} = {line.expression}", indent, rest, breakable=True)
+            yield from _assigned(line.name, line.expression, indent)
         elif isinstance(line, Assignment):
-            yield from _filled(f"{line.target} = {line.expression}", indent, rest, breakable=True)
+            yield from _assigned(line.target, line.expression, indent)
         elif isinstance(line, Numbers):
-            values = f"({', '.join(line.values)},)"
+            values = f"({', '.join(line.values)}{',' if len(line.values) == 1 else ''})"
             yield from _filled(f"{line.name} = {values}", indent, rest)
         else:
             yield f"{indent}{line.name} = {_places(line)}"
@@ -174,6 +175,14 @@ def _is_read(quantity: AnyQuantity, kernel: Kernel, used: frozenset[str]) -> boo
 def _names(quantity: AnyQuantity) -> list[str]:
     """What a quantity is unpacked to: what runs over an index stays together."""
     return [quantity.name] if index_of_parts(quantity) else list(quantity.parts)
+
+
+def _argument_lines(quantity: AnyQuantity) -> list[str]:
+    """The argument of `Call` for a quantity; what runs over an index may be long."""
+    text, indent = f"{_argument(quantity)},", " " * 8
+    if index_of_parts(quantity):
+        return _filled(text, indent, indent + "    ")
+    return [indent + text]
 
 
 def _argument(quantity: AnyQuantity) -> str:
@@ -236,11 +245,17 @@ def _documented(text: str) -> str:
     return text.replace("\\", "\\\\").replace('"""', "'''")
 
 
-def _filled(text: str, first: str, rest: str, breakable: bool = False) -> list[str]:
-    if breakable and len(text) + len(first) > WIDTH:
-        name, expression = text.split(" = ", 1)
-        inner = _filled(expression, rest, rest)
-        return [f"{first}{name} = (", *inner, f"{first})"]
+def _assigned(target: str, expression: str, indent: str) -> list[str]:
+    """An assignment, in parentheses if it takes more than a line."""
+    line = f"{indent}{target} = {expression}"
+    if len(line) <= WIDTH:
+        return [line]
+    inner = indent + "    "
+    lines = subscripts_kept(expression, lambda text: _filled(text, inner, inner))
+    return [f"{indent}{target} = (", *lines, f"{indent})"]
+
+
+def _filled(text: str, first: str, rest: str) -> list[str]:
     return textwrap.wrap(
         text,
         WIDTH,

@@ -40,7 +40,7 @@ l_dot_ref = d.scalar(
     "l_dot_ref", "its rate", unit=SPEED, range=(-1.0, 1.0), latex=r"\dot{l}_\mathrm{ref}"
 )
 l_measured = d.scalar(
-    "l_measured", "measured length of the rod", unit=METRE, range=(0.0, 10.0), latex="l"
+    "l_measured", "measured length of the rod", unit=METRE, range=(0.0, 10.0), latex=r"l_\mathrm{m}"
 )
 F_ff = d.scalar(
     "F_ff",
@@ -112,7 +112,7 @@ F_drive = d.define(
     held(wanted, F_max),
     because="The drive has no more.",
     meaning="force that the drive is told to give",
-    latex="F",
+    latex=r"F_\mathrm{u}",
 )
 wound = d.define(
     "wound",

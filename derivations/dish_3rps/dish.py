@@ -82,7 +82,7 @@ slope_length = d.define(
     because="The normal (-d, 0, 2 f) before it is made of length 1, in the plane through the axis.",
     meaning="distance along the normal from the facet's point to the axis",
     printed="6",
-    latex=r"g",
+    latex=r"\overline{GM}",
 )
 z_G = d.define(
     "z_G",

@@ -2,6 +2,8 @@
 
 from armillary import (
     PI,
+    Axes,
+    Chain,
     Leg,
     Matrix,
     Place,
@@ -55,17 +57,17 @@ H_T_P = d.define(
 
 def half_turn(v):
     """A vector of {P} in axes that look away from the dish's axis, and back."""
-    return vector(-v.x, -v.y, v.z)
+    return elementary(Z, PI) @ v
 
 
 def from_base(v):
     """Components in {H} of a vector given in {P}."""
-    return elementary(Z, phi) @ half_turn(v)
+    return H_T_P.rotation @ v
 
 
 def to_base(v):
     """Components in {P} of a vector given in {H}."""
-    return half_turn(elementary(Z, -phi) @ v)
+    return H_T_P.rotation.transpose() @ v
 
 
 # ---- what is given: normal and height ----
@@ -77,7 +79,8 @@ psi = d.define(
     meaning="azimuth of the dish's axis from that of the facet",
     latex=r"\psi",
 )
-_R = elementary(Z, psi) @ elementary(Y, beta) @ elementary(Z, -psi)
+seen = Chain("facet").rotate(Z, psi).rotate(Y, beta).rotate(Z, -psi, frame="dish")
+_R = seen.rotation("facet", "dish")
 n_P = d.define(
     "n_P",
     half_turn(_R @ (vector(-dist, 0, 2 * f) / slope_length)),
@@ -86,11 +89,17 @@ n_P = d.define(
     latex=r"\mathbf{n}",
 )
 d.identity("it is the normal of the dish, turned with it", from_base(n_P), R_D @ n_O)
+arm_D = d.define(
+    "arm_D",
+    half_turn(_R @ vector(dist, 0, dist * dist / (4 * f))),
+    because="The dish's point turns with the dish.",
+    meaning="from the vertex to the facet's point of the dish, {P}",
+    latex=r"\mathbf{r}_D",
+)
 D_P = d.define(
     "D_P",
-    half_turn(_R @ vector(dist, 0, dist * dist / (4 * f))) + vector(dist, 0, z_O),
-    because="The dish's point turns with the dish; in axes that look away from the dish's axis it "
-    "starts where the base is.",
+    arm_D + vector(dist, 0, z_O),
+    because="In {P} the dish's vertex stands at d along the x axis, at the height z_O.",
     meaning="the facet's point of the dish, {P}",
     latex=r"\mathbf{D}_P",
 )
@@ -150,7 +159,23 @@ d.identity(
     number("1.5") * (1 + R_D.column(Z).z) * sin(tau),
 )
 
-tilt = tilted(n_P, lean)
+_tilt = tilted(n_P, lean)
+a_x = d.define(
+    "a_x",
+    _tilt.x,
+    because="The x axis of {P}, tilted by the shortest way: what of it is square to the normal and "
+    "to the vertical stays as it is.",
+    meaning="x axis of the facet, {P}",
+    latex=r"\mathbf{a}_x",
+)
+a_y = d.define(
+    "a_y",
+    _tilt.y,
+    because="And the y axis.",
+    meaning="y axis of the facet, {P}",
+    latex=r"\mathbf{a}_y",
+)
+tilt = Axes(a_x, a_y, n_P)
 n_any = R_D.column(Z)  # any normal at all: alpha and beta take every value
 _any = tilted(n_any)
 for _axis, _name in ((X, "x"), (Y, "y")):
@@ -195,14 +220,7 @@ M_P = d.define(
 )
 H_R_M = d.define(
     "H_R_M",
-    Matrix(
-        tuple(
-            zip(
-                *([c.x, c.y, c.z] for c in (from_base(tilt.column(k)) for k in (X, Y, Z))),
-                strict=True,
-            )
-        )
-    ),
+    Axes(*map(from_base, tilt.columns)).matrix(),
     because="The tilt, from the base's axes to East-North-Up.",
     meaning="rotation of the facet: its axes in {H}; x looks at the dish's axis, z is the normal",
     latex="{}^{H}R_{M}",
@@ -244,7 +262,7 @@ off_dish = d.define(
 
 # ---- the platform ----
 
-rod = Leg(base_joint=r_b * u, platform_joint=r_m * u, plane=t)
+rod = Leg(base_joint=r_b * u, platform_joint=vector(r_m * u.x, r_m * u.y, 0), plane=t)
 platform = Platform(Place(tilt, M_P), (rod,))
 
 

@@ -2,7 +2,6 @@
 
 from armillary import absolute, any_of, solve, substitute
 
-from .facet import H_T_P, from_base
 from .half_tilt import UNKNOWNS, h_q, here, placed_at, q_x, q_y, q_z, reach_q
 from .symbols import alpha, beta, d, forward_tolerance, guess, l_given, leg, metre, z_O
 
@@ -31,7 +30,7 @@ left = d.define(
     because="Nothing says that the search has ended where it should: the lengths of the pose that "
     "was found do.",
     meaning="what is left of the squared length of rod i",
-    latex=r"\Delta_+",
+    latex=r"\Delta^+",
 )
 lost = d.define(
     "lost",
@@ -39,18 +38,4 @@ lost = d.define(
     because="A search that converges is at the rounding error by then, and far from this bound.",
     meaning="whether some rod of the pose found is not as long as given",
 )
-_turned, _point = placed_at(found)
-H_R_found = d.define(
-    "H_R_found",
-    _turned,
-    because="The tilt of the pose that was found, in East-North-Up.",
-    meaning="rotation of the facet on rods of the lengths given",
-    latex="{}^{H}R_{l}",
-)
-M_found = d.define(
-    "M_found",
-    H_T_P.position + from_base(_point),
-    because="And its point.",
-    meaning="the facet's point on rods of the lengths given, {H}",
-    latex=r"\mathbf{M}_l",
-)
+H_R_found, M_found = placed_at(found, "found", "the facet on rods of the lengths given")

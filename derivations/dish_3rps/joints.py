@@ -1,8 +1,9 @@
 """Angles of the passive joints, and how fast the hinges turn."""
 
-from armillary import atan2, time_derivative, vector, where
+from armillary import atan2, vector, where
 
 from .facet import n_P, u
+from .rates import h_dot, reach_dot
 from .rods import h, l_rod, length, reach
 from .symbols import d, rod_tolerance
 
@@ -15,7 +16,7 @@ p_R = d.define(
 )
 p_dot = d.define(
     "p_dot",
-    (h * time_derivative(reach) - reach * time_derivative(h)) / (length * length),
+    (h * reach_dot - reach * h_dot) / (length * length),
     because="Differentiate that angle.",
     meaning="rate of hinge i",
     latex=r"\dot{p}",

@@ -3,7 +3,7 @@
 from armillary import Y, Z, absolute, atan2, elementary, number, solve, substitute, vector
 
 from .dish import c_dish
-from .facet import D_P, H_T_P, M_P, from_base, half_turn, n_P, off_P, psi, z_M
+from .facet import D_P, M_P, from_base, half_turn, n_P, off_P, psi, z_M
 from .half_tilt import M_q, h_q, here, placed_at, q_x, q_y, q_z, reach_q
 from .symbols import beta, d, dist, f, receiver_tolerance, z_O
 
@@ -14,7 +14,7 @@ c_P = d.define(
     half_turn(elementary(Z, psi) @ elementary(Y, beta) @ vector(0, 0, 1)),
     because="Seen from the base.",
     meaning="unit vector along the dish's axis, to the sun, {P}",
-    latex=r"\mathbf{c}",
+    latex=r"\mathbf{c}_P",
 )
 d.identity("it is the dish's axis", from_base(c_P), c_dish)
 focus = d.define(
@@ -104,32 +104,38 @@ found = (
     z_M,
 )
 _at = dict(zip((q_x, q_y, q_z), found, strict=True))
-_size = substitute(m.norm(), _at)
-_left = [substitute(off, _at) for off in (off_x, off_y)]
+m_size = d.define(
+    "m_size",
+    substitute(m.norm(), _at),
+    because="What is left is measured against it.",
+    meaning="length of m where the search has ended",
+    latex=r"m^{\ast}",
+)
+_LEFT = "Nothing says that the search has ended where it should."
+left_x = d.define(
+    "left_x",
+    substitute(off_x, _at),
+    because=_LEFT,
+    meaning="what is left of off_x",
+    latex=r"\Delta_x^{\ast}",
+)
+left_y = d.define(
+    "left_y",
+    substitute(off_y, _at),
+    because=_LEFT,
+    meaning="what is left of off_y",
+    latex=r"\Delta_y^{\ast}",
+)
 astray = d.define(
     "astray",
     ~(
-        (absolute(_left[0]) < receiver_tolerance * _size)
-        & (absolute(_left[1]) < receiver_tolerance * _size)
+        (absolute(left_x) < receiver_tolerance * m_size)
+        & (absolute(left_y) < receiver_tolerance * m_size)
     ),
     because="The normal that was found must be the bisector.",
     meaning="whether the normal that was found is not the bisector",
 )
-_turned, _point = placed_at(found)
-H_R_aimed = d.define(
-    "H_R_aimed",
-    _turned,
-    because="The tilt that was found, in East-North-Up.",
-    meaning="rotation of a facet that aims at the receiver",
-    latex="{}^{H}R_{b}",
-)
-M_aimed = d.define(
-    "M_aimed",
-    H_T_P.position + from_base(_point),
-    because="It stands where its hinges put it, at the height of the dish's point.",
-    meaning="point of a facet that aims at the receiver, {H}",
-    latex=r"\mathbf{M}_b",
-)
+H_R_aimed, M_aimed = placed_at(found, "aimed", "a facet that aims at the receiver")
 l_aimed = d.define(
     "l_aimed",
     substitute(vector(reach_q, 0, h_q).norm(), _at),

@@ -23,7 +23,7 @@ def leaning(n):
 
 def outward(n, w, lean):
     """Where its S-joint stands in the plane of the hinge, from the base's centre."""
-    return r_m * ((3 - n.z) / 2 - 2 * w * w / lean)
+    return r_m * ((3 - n.z) / 2 - 2 * (w * w) / lean)
 
 
 w = d.define(
@@ -81,7 +81,7 @@ length = d.define(
     where(l_rod > rod_tolerance, l_rod, rod_tolerance),
     because="The length that is divided by.",
     meaning="length of rod i, at least the tolerance",
-    latex="l_+",
+    latex="l^+",
 )
 # ---- all four facets ----
 
@@ -91,14 +91,14 @@ n_N = d.define(
     half_turn(_seen @ (vector(-dist, 0, 2 * f) / slope_length)),
     because="One attitude of the dish serves all four: the facets are turned to it.",
     meaning="unit normal of facet N, {P}",
-    latex=r"\mathbf{n}_N",
+    latex=r"\mathbf{n}",
 )
 z_N = d.define(
     "z_N",
     z_O + (_seen @ vector(dist, 0, dist * dist / (4 * f))).z,
     because="As for one facet: the point of the dish, turned with it.",
     meaning="height of the point of facet N above the ground",
-    latex="z_N",
+    latex="z_M",
 )
 _of_facet = {n_P: n_N, z_M: z_N}
 l_all = d.define(
@@ -106,7 +106,7 @@ l_all = d.define(
     substitute(l_rod, _of_facet),
     because="The same closed form for each.",
     meaning="length of rod i of facet N",
-    latex="l_N",
+    latex="l",
 )
 face_down_all = d.define(
     "face_down_all",

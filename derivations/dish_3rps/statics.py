@@ -1,21 +1,10 @@
 """Forces in the rods that hold the facet, by virtual work."""
 
-from armillary import (
-    Twist,
-    Wrench,
-    at,
-    determinant,
-    number,
-    one_like,
-    partial,
-    solved,
-    vector,
-    where,
-)
+from armillary import Twist, Wrench, at, number, one_like, vector, where
 
 from .facet import tilt, to_base
-from .half_tilt import UNKNOWNS, h_q, here, motions, reach_q
-from .rods import length
+from .half_tilt import h_q, here, q_x, q_y, q_z, reach_q, slopes, spins
+from .rods import h, length
 from .symbols import centre, d, f_d, g, leg, mass, n_d, r_m, statics_tolerance
 
 weight = d.define(
@@ -35,32 +24,55 @@ load = d.define(
 
 # ---- a balance for each freedom ----
 
-works, slopes = [], []
-for _motion, _q, _name in zip(motions, UNKNOWNS, "xyz", strict=True):
-    works.append(
-        d.define(
-            f"work_{_name}",
-            load.power(Twist(here(_motion.angular), here(_motion.linear))),
-            because="What the load does along a motion that the hinges permit; their own forces "
-            "do nothing along it.",
-            meaning=f"work of the load per unit of {_q.name}",
-            latex=f"W_{_name}",
-        )
+_WORK = (
+    "What the load does along a motion that the hinges permit; their own forces do nothing along "
+    "it."
+)
+
+
+def works_of(letter, q, spin, velocity):
+    """Work of the load per unit of a coordinate."""
+    return d.define(
+        f"work_{letter}",
+        load.power(Twist(here(spin), here(velocity))),
+        because=_WORK,
+        meaning=f"work of the load per unit of {q.name}",
+        latex=f"W_{letter}",
     )
-    slopes.append(
-        d.define(
-            f"slope_{_name}",
-            here(reach_q * partial(reach_q, _q) + h_q * partial(h_q, _q)) / length,
-            because="What the same motion does to the rods.",
-            meaning=f"change of the length of rod i per unit of {_q.name}",
-            latex=f"l_{{,{_name}}}",
-        )
+
+
+def rods_of(letter, q, slope):
+    """What a coordinate does to the three rods, as a vector."""
+    slope = d.define(
+        f"slope_{letter}",
+        slope / length,
+        because="What the same motion does to the rods.",
+        meaning=f"change of the length of rod i per unit of {q.name}",
+        latex=f"l_{{,{letter}}}",
     )
-_rows = [[at(slope, leg, k) for k in range(leg.size)] for slope in slopes]
+    return d.define(
+        f"rods_{letter}",
+        vector(*(at(slope, leg, k) for k in range(leg.size))),
+        because="A component for each rod.",
+        meaning=f"change of the lengths of the three rods per unit of {q.name}",
+        latex=rf"\mathbf{{l}}_{{,{letter}}}",
+    )
+
+
+work_x, work_y = (
+    works_of(letter, q, spin, v)
+    for letter, q, spin, (v, _, _) in zip("xy", (q_x, q_y), spins, slopes, strict=True)
+)
+work_z = works_of("z", q_z, vector(0, 0, 0), vector(0, 0, 1))
+rods_x, rods_y = (
+    rods_of(letter, q, here(reach_q * a + h_q * b))
+    for letter, q, (_, a, b) in zip("xy", (q_x, q_y), slopes, strict=True)
+)
+rods_z = rods_of("z", q_z, h)
 det = d.define(
     "det",
-    determinant(_rows),
-    because="Where two freedoms move the rods alike, the rods do not hold the facet.",
+    rods_x.dot(rods_y.cross(rods_z)),
+    because="Where the three freedoms move the rods alike, the rods do not hold the facet.",
     meaning="determinant of what the three freedoms do to the three rods",
     latex=r"\delta",
 )
@@ -70,12 +82,19 @@ loose = d.define(
     because="It has the size of r_m squared where the rods stand well.",
     meaning="whether the rods do not hold the facet",
 )
-_forces = solved(_rows, [-work for work in works], where(loose, one_like(det), det))
+inverse = d.define(
+    "inverse",
+    where(loose, number(0), 1 / where(loose, one_like(det), det)),
+    because="Rods that do not hold the facet are given no force.",
+    meaning="one over the determinant, 0 where it vanishes",
+    latex=r"\delta^{-1}",
+)
 F_rod = d.define(
     "F_rod",
-    vector(*(where(loose, number(0), force) for force in _forces)),
-    because="The work of rods and load is zero along each freedom: three equations for three "
-    "forces.",
+    (work_x * rods_y.cross(rods_z) + work_y * rods_z.cross(rods_x) + work_z * rods_x.cross(rods_y))
+    * -inverse,
+    because="The work of rods and load is zero along each freedom, F.l + W = 0: three equations "
+    "for three forces.",
     meaning="force of each rod on the facet, push positive",
     latex=r"\mathbf{F}",
 )

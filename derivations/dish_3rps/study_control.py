@@ -210,16 +210,7 @@ def searches(kernels, native, parameters, results, tell):
         ],
         rows,
     )  # fmt: skip
-    yield Plot(
-        "Fig. 12, beside it: swarm and differential evolution, the best of each generation.",
-        "generation",
-        Axis("score, m s²", log=True),
-        [
-            Curve(name, np.arange(len(of)), np.where(np.array(of) < LOOSE, of, np.nan))
-            for name, of in (("swarm", ours["way"]), ("differential evolution", way))
-        ],
-        [Mark(simple[1], "simplex")] if simple[1] < LOOSE else [],
-    )
+    yield beside(ours["way"], way, simple[1])
     scores = [row[-1] for row in rows]
     apart = max(scores[1], scores[0]) / min(scores[1], scores[0]) - 1
     yield Prose(
@@ -230,6 +221,20 @@ def searches(kernels, native, parameters, results, tell):
             if scores[2] < LOOSE
             else "finds no robust law at all."
         )
+    )
+
+
+def beside(swarmed, evolved, simple):
+    """The best of each generation of both searches, and where the simplex ended."""
+    return Plot(
+        "Fig. 12, beside it: swarm and differential evolution, the best of each generation.",
+        "generation",
+        Axis("score, m s²", log=True),
+        [
+            Curve(name, np.arange(len(of)), np.where(np.array(of) < LOOSE, of, np.nan))
+            for name, of in (("swarm", swarmed), ("differential evolution", evolved))
+        ],
+        [Mark(simple, "simplex")] if simple < LOOSE else [],
     )
 
 

@@ -30,14 +30,7 @@ def gust(kernels, native, sun, parameters, results, tell):
         name: {law: figures(record, *span) for law, record in records.items()}
         for name, span in spans.items()
     }
-    yield Heading("Tracking in the wind")
-    yield Prose(
-        f"From {clock_words(first)}, where the facets lean most, in real time and after "
-        f"{rest:g} s of calm. One gust of {given.length:g} s, {given.peak:g} N at its peak, "
-        "presses on all four mirrors along their normals. Then each facet has a train of such "
-        f"gusts of its own for {given.train:g} s, with random peaks of both signs up to "
-        f"{given.peak:g} N and random pauses. No law is told of the wind."
-    )
+    yield from the_wind(parameters)
     kept = time >= rest
     yield Plot(
         "The wind: force along the normals of the facets.", "time, s", "force, N",
@@ -56,12 +49,22 @@ def gust(kernels, native, sun, parameters, results, tell):
     yield Result(
         "gust",
         {
-            law: {
-                "peak": max(of[law].peak for of in found.values()),
-                "tilt": max(of[law].tilt for of in found.values()),
-            }
+            law: {n: max(getattr(of[law], n) for of in found.values()) for n in ("peak", "tilt")}
             for law in NAMES
         },
+    )
+
+
+def the_wind(parameters):
+    """What blows."""
+    given, rest = parameters.gust, parameters.tracking.window_settling
+    yield Heading("Tracking in the wind")
+    yield Prose(
+        f"From {clock_words(parameters.days.first)}, where the facets lean most, in real time and "
+        f"after {rest:g} s of calm. One gust of {given.length:g} s, {given.peak:g} N at its peak, "
+        "presses on all four mirrors along their normals. Then each facet has a train of such "
+        f"gusts of its own for {given.train:g} s, with random peaks of both signs up to "
+        f"{given.peak:g} N and random pauses. No law is told of the wind."
     )
 
 

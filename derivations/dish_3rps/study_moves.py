@@ -4,7 +4,7 @@ import numpy as np
 
 from armillary.verify.engines import need
 from armillary.verify.plots import Axis, Curve, Panels, Plot
-from armillary.verify.study import Column, Heading, Prose, Result, Table
+from armillary.verify.study import Column, Heading, Prose, Table
 
 from .days import FACETS, MM, attitude, clock_words, toward
 from .drawing import EYE_AZIMUTH, EYE_ELEVATION, GAP, NORMAL, seen
@@ -50,7 +50,17 @@ def moves(kernels, native, sun, parameters, results, tell):
             for name, of in runs.items()
         ],
     )
-    yield Table(
+    yield table(runs)
+    yield Prose(
+        "A rod at rest may be held by its integral and by its friction in any shares. What is fed "
+        "forward for the friction comes on top of what the integral holds already: "
+        "feed-forward does not spare a move its beginning, only the turning round on the way."
+    )
+
+
+def table(runs):
+    """Move by move, law by law."""
+    return Table(
         "The moves: errors, forces and speeds.",
         [
             "move", "law", Column("largest error of a rod", "mm", ".3f"),
@@ -59,7 +69,6 @@ def moves(kernels, native, sun, parameters, results, tell):
         ],
         [(name, *row) for name, of in runs.items() for row in of["rows"]],
     )  # fmt: skip
-    yield Result("moves", {name: of["peaks"] for name, of in runs.items()})
 
 
 def run(stage, end, outward):
@@ -79,17 +88,16 @@ def run(stage, end, outward):
     origins, attitudes = machine.origins, machine.attitudes
     follow(loops, way, time[~before])
     speed = np.abs(way(time[::50]).rates).max()
-    rows, curves, peaks = [], [], {}
+    rows, curves = [], []
     for name, loop in loops.items():
         of = figures(loop.record, tracking.settling)
         errors = MM * np.abs(loop.record.joined("errors")).max(axis=1)
         row = (MM * of.peak, MRAD * of.tilt, of.force, MM * speed, errors[-1])
         rows.append((name, *map(float, row)))
         curves.append(Curve(name, *outline(time[~before], errors[~before])))
-        peaks[name] = of.peak
     return {
         "duration": duration, "origins": origins, "attitudes": attitudes, "rows": rows,
-        "curves": curves, "peaks": peaks,
+        "curves": curves,
     }  # fmt: skip
 
 

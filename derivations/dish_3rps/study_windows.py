@@ -77,7 +77,18 @@ def real_time(kernels, native, sun, parameters, results):
             for start, of in zip(tracking.windows, found, strict=True)
         ],
     )  # fmt: skip
-    yield Table(
+    yield table(tracking.windows, found, minutes)
+    yield softness(Stage(kernels, native, sun, parameters, results["gains"]), found[CHECKED])
+    yield the_rest(native, sun, parameters, results, kernels)
+    yield Result(
+        "windows",
+        {n: {what: max(of[n][what] for of in found) for what in ("peak", "tilt")} for n in NAMES},
+    )
+
+
+def table(starts, found, minutes):
+    """Window by window, law by law."""
+    return Table(
         f"Three windows of {minutes:g} minutes in real time: root mean square and largest error of "
         "the rods, and the largest of the normals.",
         [
@@ -87,15 +98,9 @@ def real_time(kernels, native, sun, parameters, results):
         [
             (clock_words(start), name, MICRO * of[name]["rms"], MICRO * of[name]["peak"],
              MRAD * of[name]["tilt"])
-            for start, of in zip(tracking.windows, found, strict=True) for name in NAMES
+            for start, of in zip(starts, found, strict=True) for name in NAMES
         ],
     )  # fmt: skip
-    yield softness(Stage(kernels, native, sun, parameters, results["gains"]), found[CHECKED])
-    yield the_rest(native, sun, parameters, results, kernels)
-    yield Result(
-        "windows",
-        {n: {what: max(of[n][what] for of in found) for what in ("peak", "tilt")} for n in NAMES},
-    )
 
 
 def softness(stage, found):

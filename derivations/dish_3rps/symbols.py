@@ -130,7 +130,9 @@ g = d.scalar(
 
 # ---- forward kinematics ----
 
-l_given = d.length("l", "length of rod i", limits=(0.0, 1e3), range=(2.0, 4.0), per=leg, latex="l")
+l_given = d.length(
+    "l", "length of rod i", limits=(0.0, 1e3), range=(2.0, 4.0), per=leg, latex=r"\bar{l}"
+)
 guess = d.vector(
     "guess",
     "where the search starts: alpha and beta in rad and z_O in m",

@@ -151,3 +151,18 @@ def test_random_vectors(expression):
 
 def test_a_constant_does_not_move():
     assert by_rule(time_derivative(x * 0 + 3)) == [0.0]
+
+
+def test_a_derivative_that_has_a_name_is_taken_by_it():
+    """Where a value is met again its derivative is not worked out anew, nor checked."""
+    square, arm = x * y, vector(x, y, 0)
+    told, said = sin(x), vector(y, 0, 1)
+    point = {"x": 0.7, "y": -1.3, "x_dot": 0.9, "y_dot": -0.4}
+    found = by_rule(time_derivative(2 * square + x, {square: told}))
+    assert found == pytest.approx([2 * float(sympy.sin(0.7)) + point["x_dot"]])
+    found = by_rule(time_derivative(arm.dot(arm), {arm: said}))
+    assert found == pytest.approx([2 * 0.7 * -1.3])
+    assert by_rule(partial(square + x, x, {square: told})) == pytest.approx(
+        [float(sympy.sin(0.7)) + 1]
+    )
+    assert by_rule(partial(cos(square), x, {square: 0})) == [0.0]

@@ -79,6 +79,42 @@ ROTATION_BREAKAGES = {
 }
 
 
+LOOP_BREAKAGES = {
+    "a limit that moved": (
+        "fabs(p->S[3 * leg]) <= 1000.0",
+        "fabs(p->S[3 * leg]) <= 1e4",
+        "refusal",
+    ),
+    "a leg unguarded": (
+        "leg < 3; ++leg) {\n    if",
+        "leg < 2; ++leg) {\n    if",
+        "another refusal",
+    ),
+    "a leg unwritten": (
+        "leg < 3; ++leg) {\n      ",
+        "leg < 2; ++leg) {\n      ",
+        "was not written",
+    ),
+    "a leg too many": ("rows[(3 * leg) + 2]", "rows[9] = 0.0; rows[(3 * leg) + 2]", "left alone"),
+}
+STATE_BREAKAGES = {
+    "a state too early": ("  int status", "  s->last = 0.0; int status", "status 99"),
+    "a state unguarded": ("fabs(last) <= 1000.0", "fabs(gain) <= 1000.0", "another refusal"),
+}
+
+
+@needs("gcc")
+@pytest.mark.parametrize(("right", "wrong", "why"), LOOP_BREAKAGES.values(), ids=LOOP_BREAKAGES)
+def test_the_harness_notices_what_is_wrong_in_a_loop(printed, tmp_path, right, wrong, why):
+    notices(printed, tmp_path, ("loops", "arms"), right, wrong, why)
+
+
+@needs("gcc")
+@pytest.mark.parametrize(("right", "wrong", "why"), STATE_BREAKAGES.values(), ids=STATE_BREAKAGES)
+def test_the_harness_notices_what_is_wrong_with_a_state(printed, tmp_path, right, wrong, why):
+    notices(printed, tmp_path, ("keepers", "array_update"), right, wrong, why)
+
+
 @needs("gcc")
 @pytest.mark.parametrize(("right", "wrong", "why"), BREAKAGES.values(), ids=BREAKAGES)
 def test_the_harness_notices(printed, tmp_path, right, wrong, why):

@@ -155,40 +155,41 @@ def facet(*, alpha, beta, f, d, r_m, z_O, phi, r_b=None, K_P=None, K_I=None, K_D
     t9 = t6 * t4
     sin_beta = xp.sin(beta)
     cos_beta = xp.cos(beta)
-    H_R_M_33 = (cos_beta * t5) + (sin_beta * t8)
+    n_P_z = (cos_beta * t5) + (sin_beta * t8)
     t10 = (sin_beta * t5) - (cos_beta * t8)
-    H_R_M_31 = (t7 * t10) - (t6 * t9)
-    H_R_M_32 = (t6 * t10) + (t7 * t9)
-    t11 = 1.0 + H_R_M_33
+    a_x_z = (t7 * t10) - (t6 * t9)
+    a_y_z = (t6 * t10) + (t7 * t9)
+    t11 = 1.0 + n_P_z
     t12 = 1.0e-6 < t11
     face_down = xp.logical_not(t12)
     lean = call.select(face_down, 1.0, t11)
     t13 = 1.0 / lean
-    t14 = H_R_M_31 * t13
-    t15 = 1.0 - (t14 * H_R_M_31)
-    t16 = t14 * H_R_M_32
+    t14 = a_x_z * t13
+    a_x_x = 1.0 - (t14 * a_x_z)
+    t15 = t14 * a_y_z
     sin_phi = xp.sin(phi)
     cos_phi = xp.cos(phi)
-    t17 = sin_phi * t16
-    t18 = cos_phi * t16
-    H_R_M_21 = t18 - (sin_phi * t15)
-    t19 = 1.0 - ((H_R_M_32 * t13) * H_R_M_32)
-    H_R_M_12 = t18 + (sin_phi * t19)
-    H_R_M_22 = t17 - (cos_phi * t19)
-    H_R_M_13 = (cos_phi * H_R_M_31) - (sin_phi * H_R_M_32)
-    H_R_M_23 = (sin_phi * H_R_M_31) + (cos_phi * H_R_M_32)
+    t16 = sin_phi * t15
+    t17 = cos_phi * t15
+    H_R_M_21 = t17 - (sin_phi * a_x_x)
+    a_y_y = 1.0 - ((a_y_z * t13) * a_y_z)
+    H_R_M_12 = t17 + (sin_phi * a_y_y)
+    H_R_M_22 = t16 - (cos_phi * a_y_y)
+    H_R_M_13 = (cos_phi * a_x_z) - (sin_phi * a_y_z)
+    H_R_M_23 = (sin_phi * a_x_z) + (cos_phi * a_y_z)
     H_T_P_p_x = d * cos_phi
     H_T_P_p_y = d * sin_phi
-    x_M = (r_m * ((H_R_M_32 * H_R_M_32) - (H_R_M_31 * H_R_M_31))) / (2.0 * lean)
-    y_M = ((r_m * H_R_M_31) * H_R_M_32) * t13
-    t20 = t1 / (4.0 * f)
-    D_P_z = ((cos_beta * t20) - (sin_beta * (t7 * d))) + z_O
+    x_M = (r_m * ((a_y_z * a_y_z) - (a_x_z * a_x_z))) / (2.0 * lean)
+    y_M = ((r_m * a_x_z) * a_y_z) * t13
+    t18 = t1 / (4.0 * f)
+    arm_D_z = (cos_beta * t18) - (sin_beta * (t7 * d))
+    D_P_z = arm_D_z + z_O
     M_x = H_T_P_p_x + ((sin_phi * y_M) - (cos_phi * x_M))
     M_y = H_T_P_p_y - ((sin_phi * x_M) + (cos_phi * y_M))
     call.case(-3, face_down)  # UNREACHABLE
     return FacetResult(
-        H_R_M=call.array((3, 3), (-((cos_phi * t15) + t17), H_R_M_12, H_R_M_13, H_R_M_21,
-            H_R_M_22, H_R_M_23, H_R_M_31, H_R_M_32, H_R_M_33)),
+        H_R_M=call.array((3, 3), (-((cos_phi * a_x_x) + t16), H_R_M_12, H_R_M_13, H_R_M_21,
+            H_R_M_22, H_R_M_23, a_x_z, a_y_z, n_P_z)),
         M=call.array((3,), (M_x, M_y, D_P_z)),
         status=call.status,
     )
@@ -247,24 +248,25 @@ def off_dish(*, alpha, beta, f, d, r_m, phi, r_b=None, z_O=None, K_P=None, K_I=N
     t10 = (t7 * t9) + (t6 * t6)
     t11 = t6 * (t9 - t7)
     t12 = sin_beta * t6
-    t13 = (t5 * t8) - (t4 * t10)
-    t14 = (t5 * t12) - (t4 * t11)
-    t15 = 1.0 + ((t4 * t8) + (t5 * cos_beta))
-    t16 = 1.0e-6 < t15
-    face_down = xp.logical_not(t16)
-    lean = call.select(face_down, 1.0, t15)
-    x_M = (r_m * ((t14 * t14) - (t13 * t13))) / (2.0 * lean)
-    t17 = t1 / (4.0 * f)
-    D_P_x = d - ((d * t10) + (t17 * t8))
-    t18 = x_M - D_P_x
-    y_M = ((r_m * t13) * t14) / lean
-    t19 = y_M + ((d * t11) + (t17 * t12))
+    n_P_x = (t4 * t10) - (t5 * t8)
+    n_P_y = (t4 * t11) - (t5 * t12)
+    n_P_z = (t4 * t8) + (t5 * cos_beta)
+    t13 = 1.0 + n_P_z
+    t14 = 1.0e-6 < t13
+    face_down = xp.logical_not(t14)
+    lean = call.select(face_down, 1.0, t13)
+    x_M = (r_m * ((n_P_y * n_P_y) - (n_P_x * n_P_x))) / (2.0 * lean)
+    t15 = t1 / (4.0 * f)
+    D_P_x = d - ((d * t10) + (t15 * t8))
+    off_P_x = x_M - D_P_x
+    y_M = ((r_m * n_P_x) * n_P_y) / lean
+    off_P_y = y_M + ((d * t11) + (t15 * t12))
     sin_phi = xp.sin(phi)
     cos_phi = xp.cos(phi)
-    off_dish_x = (sin_phi * t19) - (cos_phi * t18)
+    off_dish_x = (sin_phi * off_P_y) - (cos_phi * off_P_x)
     call.case(-3, face_down)  # UNREACHABLE
     return OffDishResult(
-        off=call.array((3,), (off_dish_x, -((sin_phi * t18) + (cos_phi * t19)), 0.0)),
+        off=call.array((3,), (off_dish_x, -((sin_phi * off_P_x) + (cos_phi * off_P_y)), 0.0)),
         status=call.status,
     )
 
@@ -310,8 +312,8 @@ def rod_lengths(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, K_
     )
     xp = call.xp
     (alpha, beta, f, d, r_b, r_m, z_O, phi) = call.values
-    leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants = (1.0, -0.5, -0.5)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386)
     t1 = d * d
     t2 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t2 * t2))
@@ -325,25 +327,26 @@ def rod_lengths(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, K_
     t9 = t6 * t4
     sin_beta = xp.sin(beta)
     cos_beta = xp.cos(beta)
-    t10 = (cos_beta * t5) + (sin_beta * t8)
-    t11 = (sin_beta * t5) - (cos_beta * t8)
-    t12 = (t7 * t11) - (t6 * t9)
-    t13 = (t6 * t11) + (t7 * t9)
-    t14 = 0.5 * (3.0 - t10)
-    t15 = 1.0 + t10
-    t16 = 1.0e-6 < t15
-    face_down = xp.logical_not(t16)
-    lean = call.select(face_down, 1.0, t15)
-    t17 = 1.0 / lean
-    t18 = 2.0 * t17
-    t19 = t1 / (4.0 * f)
-    D_P_z = ((cos_beta * t19) - (sin_beta * (t7 * d))) + z_O
+    n_P_z = (cos_beta * t5) + (sin_beta * t8)
+    t10 = (sin_beta * t5) - (cos_beta * t8)
+    t11 = (t7 * t10) - (t6 * t9)
+    t12 = (t6 * t10) + (t7 * t9)
+    t13 = 0.5 * (3.0 - n_P_z)
+    t14 = 1.0 + n_P_z
+    t15 = 1.0e-6 < t14
+    face_down = xp.logical_not(t15)
+    lean = call.select(face_down, 1.0, t14)
+    t16 = 1.0 / lean
+    t17 = 2.0 * t16
+    t18 = t1 / (4.0 * f)
+    arm_D_z = (cos_beta * t18) - (sin_beta * (t7 * d))
+    D_P_z = arm_D_z + z_O
     l_rod = [None] * 3
     for leg in range(3):
-        t20 = (t12 * leg_constants[leg]) + (t13 * leg_constants_2[leg])
-        rho = r_m * (t14 - (t18 * (t20 * t20)))
+        t19 = (t11 * leg_constants[leg]) + (t12 * leg_constants_2[leg])
+        rho = r_m * (t13 - (t17 * (t19 * t19)))
         reach = rho - r_b
-        h = D_P_z + (r_m * t20)
+        h = D_P_z + (r_m * t19)
         l_rod[leg] = xp.sqrt((reach * reach) + (h * h))
     call.case(-3, face_down)  # UNREACHABLE
     return RodLengthsResult(
@@ -363,7 +366,7 @@ def rod_lengths_all(*, alpha, beta, f, d, r_b, r_m, z_O, phi=None, K_P=None, K_I
     T_D=None, T_S=None, F_max=None, K_V=None, F_C=None, v_C=None):
     """Lengths of the rods of four facets, at 0, 90, 180 and 270 degrees; phi is not used.
 
-    322 flops (190 mul, 113 add, 6 div, 13 sqrt), 4 sin/cos, 0 atan2
+    286 flops (166 mul, 101 add, 6 div, 13 sqrt), 4 sin/cos, 0 atan2
 
     Args:
         alpha: azimuth of the dish's axis from the east, counter-clockwise, rad
@@ -391,10 +394,10 @@ def rod_lengths_all(*, alpha, beta, f, d, r_b, r_m, z_O, phi=None, K_P=None, K_I
     )
     xp = call.xp
     (alpha, beta, f, d, r_b, r_m, z_O) = call.values
-    facet_constants = (0.0, 1.0, 0.0, -1.0,)
-    facet_constants_2 = (1.0, 0.0, -1.0, 0.0,)
-    leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    facet_constants = (1.0, 0.0, -1.0, 0.0)
+    facet_constants_2 = (0.0, 1.0, 0.0, -1.0)
+    leg_constants = (1.0, -0.5, -0.5)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386)
     t1 = d * d
     t2 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t2 * t2))
@@ -408,38 +411,33 @@ def rod_lengths_all(*, alpha, beta, f, d, r_b, r_m, z_O, phi=None, K_P=None, K_I
     t6 = cos_beta * t5
     t7 = sin_beta * t5
     t8 = t1 / (4.0 * f)
-    t9 = d * sin_beta
-    t10 = t8 * cos_beta
+    t9 = cos_beta * t8
+    t10 = sin_beta * d
     l_rod = [[None] * 3 for _ in range(4)]
     face_down_all = call.never
     for facet in range(4):
-        t11 = facet_constants_2[facet] * t4
-        t12 = facet_constants[facet] * t4
-        t13 = (cos_alpha * t11) + (sin_alpha * t12)
-        t14 = (sin_alpha * t11) - (cos_alpha * t12)
-        t15 = t6 + (sin_beta * t13)
-        t16 = t7 - (cos_beta * t13)
-        t17 = (cos_alpha * t16) - (sin_alpha * t14)
-        t18 = (sin_alpha * t16) + (cos_alpha * t14)
-        t19 = (facet_constants_2[facet] * t17) + (facet_constants[facet] * t18)
-        t20 = (facet_constants_2[facet] * t18) - (facet_constants[facet] * t17)
-        t21 = 0.5 * (3.0 - t15)
-        t22 = 1.0 + t15
-        t23 = 1.0e-6 < t22
-        face_down = xp.logical_not(t23)
-        lean = call.select(face_down, 1.0, t22)
-        t24 = 1.0 / lean
-        t25 = 2.0 * t24
-        z_N = (
-            z_O + (t10 - (t9 * ((cos_alpha * facet_constants_2[facet]) + (sin_alpha *
-            facet_constants[facet]))))
-        )
+        t11 = (cos_alpha * facet_constants_2[facet]) - (sin_alpha * facet_constants[facet])
+        t12 = (cos_alpha * facet_constants[facet]) + (sin_alpha * facet_constants_2[facet])
+        t13 = t12 * t4
+        t14 = t11 * t4
+        n_N_z = t6 + (sin_beta * t13)
+        t15 = t7 - (cos_beta * t13)
+        n_N_x = (t11 * t14) - (t12 * t15)
+        n_N_y = (t11 * t15) + (t12 * t14)
+        t16 = 0.5 * (3.0 - n_N_z)
+        t17 = 1.0 + n_N_z
+        t18 = 1.0e-6 < t17
+        face_down = xp.logical_not(t18)
+        lean = call.select(face_down, 1.0, t17)
+        t19 = 1.0 / lean
+        t20 = 2.0 * t19
+        z_N = z_O + (t9 - (t10 * t12))
         face_down_all = xp.logical_or(face_down_all, face_down)
         for leg in range(3):
-            t26 = (t19 * leg_constants[leg]) + (t20 * leg_constants_2[leg])
-            rho = r_m * (t21 - (t25 * (t26 * t26)))
+            w = (n_N_x * leg_constants[leg]) + (n_N_y * leg_constants_2[leg])
+            rho = r_m * (t16 - (t20 * (w * w)))
             reach = rho - r_b
-            h = z_N + (r_m * t26)
+            h = z_N - (r_m * w)
             l_rod[facet][leg] = xp.sqrt((reach * reach) + (h * h))
     call.case(-3, face_down_all)  # UNREACHABLE
     return RodLengthsAllResult(
@@ -461,7 +459,7 @@ def rod_rates(*, alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_b, r_m, z_O, p
     K_I=None, K_D=None, T_D=None, T_S=None, F_max=None, K_V=None, F_C=None, v_C=None):
     """Rates of the three rods of one facet.
 
-    161 flops (99 mul, 52 add, 6 div, 4 sqrt), 4 sin/cos, 0 atan2
+    158 flops (94 mul, 54 add, 6 div, 4 sqrt), 4 sin/cos, 0 atan2
 
     Args:
         alpha: azimuth of the dish's axis from the east, counter-clockwise, rad
@@ -498,8 +496,8 @@ def rod_rates(*, alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_b, r_m, z_O, p
     )
     xp = call.xp
     (alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_b, r_m, z_O, phi) = call.values
-    leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants = (1.0, -0.5, -0.5)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386)
     t1 = d * d
     t2 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t2 * t2))
@@ -509,51 +507,53 @@ def rod_rates(*, alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_b, r_m, z_O, p
     psi = alpha - phi
     t6 = xp.sin(psi)
     t7 = xp.cos(psi)
-    t8 = t7 * t4
-    t9 = t6 * t4
     sin_beta = xp.sin(beta)
     cos_beta = xp.cos(beta)
-    t10 = (cos_beta * t5) + (sin_beta * t8)
-    t11 = (sin_beta * t5) - (cos_beta * t8)
-    t12 = (t7 * t11) - (t6 * t9)
-    t13 = (t6 * t11) + (t7 * t9)
-    t14 = 0.5 * (3.0 - t10)
-    t15 = 1.0 + t10
-    t16 = 1.0e-6 < t15
-    face_down = xp.logical_not(t16)
-    lean = call.select(face_down, 1.0, t15)
-    t17 = 1.0 / lean
-    t18 = alpha_dot * t9
-    t19 = alpha_dot * t8
-    t20 = (beta_dot * t10) + (cos_beta * t18)
-    t21 = (beta_dot * t11) + (sin_beta * t18)
-    t22 = ((t7 * t20) - (t6 * t19)) - (alpha_dot * t13)
-    t23 = (alpha_dot * t12) + ((t6 * t20) + (t7 * t19))
-    t24 = 0.5 * t21
-    t25 = call.select(face_down, 0.0, (-t21))
-    t26 = t1 / (4.0 * f)
-    t27 = t7 * d
-    D_P_z = ((cos_beta * t26) - (sin_beta * t27)) + z_O
-    t28 = (sin_beta * (alpha_dot * (t6 * d))) - (beta_dot * ((sin_beta * t26) + (cos_beta * t27)))
-    t29 = t28 + z_dot
+    t8 = sin_beta * t7
+    t9 = cos_beta * t7
+    t10 = (t7 * t9) + (t6 * t6)
+    t11 = t6 * (t9 - t7)
+    t12 = sin_beta * t6
+    n_P_x = (t4 * t10) - (t5 * t8)
+    n_P_y = (t4 * t11) - (t5 * t12)
+    n_P_z = (t4 * t8) + (t5 * cos_beta)
+    t13 = 0.5 * (3.0 - n_P_z)
+    t14 = 1.0 + n_P_z
+    t15 = 1.0e-6 < t14
+    face_down = xp.logical_not(t15)
+    lean = call.select(face_down, 1.0, t14)
+    t16 = 1.0 / lean
+    t17 = 2.0 * t16
+    Omega_D_x = (beta_dot * t6) + (alpha_dot * t8)
+    t18 = (beta_dot * t7) - (alpha_dot * t12)
+    Omega_D_z = alpha_dot - (alpha_dot * cos_beta)
+    t19 = (t18 * n_P_z) + (Omega_D_z * n_P_y)
+    n_dot_y = (Omega_D_z * n_P_x) - (Omega_D_x * n_P_z)
+    n_dot_z = (Omega_D_x * n_P_y) + (t18 * n_P_x)
+    t20 = 0.5 * n_dot_z
+    t21 = t1 / (4.0 * f)
+    arm_D_z = (t21 * cos_beta) - (d * t8)
+    D_P_z = arm_D_z + z_O
+    t22 = (Omega_D_x * ((d * t11) + (t21 * t12))) + (t18 * ((d * t10) + (t21 * t8)))
+    z_M_dot = z_dot - t22
     l_dot = [None] * 3
     no_rod = call.never
     for leg in range(3):
-        t30 = (t12 * leg_constants[leg]) + (t13 * leg_constants_2[leg])
-        t31 = 2.0 * t30
-        t32 = (t31 * t30) * t17
-        rho = r_m * (t14 - t32)
+        w = (n_P_x * leg_constants[leg]) + (n_P_y * leg_constants_2[leg])
+        t23 = t17 * (w * w)
+        rho = r_m * (t13 - t23)
         reach = rho - r_b
-        t33 = (t22 * leg_constants[leg]) + (t23 * leg_constants_2[leg])
-        t34 = (((2.0 * t33) * t30) + (t31 * t33)) - (t32 * t25)
-        h = D_P_z + (r_m * t30)
-        t35 = (h * (t29 + (r_m * t33))) - (reach * (r_m * ((t34 * t17) - t24)))
+        w_dot = (n_dot_y * leg_constants_2[leg]) - (t19 * leg_constants[leg])
+        t24 = w_dot * w
+        t25 = t20 + (((2.0 * (t24 + t24)) - (t23 * n_dot_z)) * t16)
+        h = D_P_z - (r_m * w)
+        h_dot = z_M_dot - (r_m * w_dot)
         l_rod = xp.sqrt((reach * reach) + (h * h))
-        t36 = 1.0e-6 < l_rod
-        length = call.select(t36, l_rod, 1.0e-6)
-        l_dot[leg] = t35 / length
-        t37 = xp.logical_not(t36)
-        no_rod = xp.logical_or(no_rod, t37)
+        t26 = 1.0e-6 < l_rod
+        length = call.select(t26, l_rod, 1.0e-6)
+        l_dot[leg] = ((h * h_dot) - (reach * (r_m * t25))) / length
+        t27 = xp.logical_not(t26)
+        no_rod = xp.logical_or(no_rod, t27)
     call.case(-3, face_down)  # UNREACHABLE
     call.case(-3, no_rod)  # UNREACHABLE
     return RodRatesResult(
@@ -574,7 +574,7 @@ def facet_rates(*, alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_m, phi, r_b=
     K_P=None, K_I=None, K_D=None, T_D=None, T_S=None, F_max=None, K_V=None, F_C=None, v_C=None):
     """Velocity of the facet's point and angular velocity of the facet, in {H}.
 
-    106 flops (71 mul, 30 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2
+    108 flops (71 mul, 32 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2
 
     Args:
         alpha: azimuth of the dish's axis from the east, counter-clockwise, rad
@@ -607,61 +607,59 @@ def facet_rates(*, alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_m, phi, r_b=
     )
     xp = call.xp
     (alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_m, phi) = call.values
-    t1 = d * d
-    t2 = 2.0 * f
-    slope_length = xp.sqrt(t1 + (t2 * t2))
-    t3 = 1.0 / slope_length
-    t4 = t3 * d
-    t5 = t3 * t2
     psi = alpha - phi
-    t6 = xp.sin(psi)
-    t7 = xp.cos(psi)
-    t8 = t7 * t4
-    t9 = t6 * t4
+    t1 = xp.sin(psi)
+    t2 = xp.cos(psi)
     sin_beta = xp.sin(beta)
     cos_beta = xp.cos(beta)
-    n_P_z = (cos_beta * t5) + (sin_beta * t8)
-    t10 = (sin_beta * t5) - (cos_beta * t8)
-    t11 = (t7 * t10) - (t6 * t9)
-    t12 = (t6 * t10) + (t7 * t9)
-    t13 = alpha_dot * t9
-    t14 = alpha_dot * t8
-    t15 = (beta_dot * n_P_z) + (cos_beta * t13)
-    t16 = (beta_dot * t10) + (sin_beta * t13)
-    t17 = ((t7 * t15) - (t6 * t14)) - (alpha_dot * t12)
-    t18 = (alpha_dot * t11) + ((t6 * t15) + (t7 * t14))
-    t19 = t18 * t12
-    t20 = t17 * t11
-    t21 = 1.0 + n_P_z
-    t22 = 1.0e-6 < t21
-    face_down = xp.logical_not(t22)
-    lean = call.select(face_down, 1.0, t21)
-    t23 = 1.0 / (2.0 * lean)
-    t24 = call.select(face_down, 0.0, (-t16))
-    t25 = ((r_m * ((t12 * t12) - (t11 * t11))) * t23) * (2.0 * t24)
-    t26 = (r_m * ((t19 + t19) - (t20 + t20))) - t25
-    t27 = t26 * t23
-    t28 = r_m * t11
-    t29 = 1.0 / lean
-    t30 = (((r_m * t17) * t12) + (t28 * t18)) - (((t28 * t12) * t29) * t24)
-    t31 = t30 * t29
-    t32 = t1 / (4.0 * f)
-    t33 = (
-        (sin_beta * (alpha_dot * (t6 * d))) - (beta_dot * ((sin_beta * t32) + (cos_beta * (t7 *
-        d))))
-    )
-    v_M_z = t33 + z_dot
+    t3 = t2 * sin_beta
+    t4 = t1 * sin_beta
+    Omega_D_x = (beta_dot * t1) + (alpha_dot * t3)
+    t5 = (beta_dot * t2) - (alpha_dot * t4)
+    Omega_D_z = alpha_dot - (alpha_dot * cos_beta)
+    t6 = d * d
+    t7 = 2.0 * f
+    slope_length = xp.sqrt(t6 + (t7 * t7))
+    t8 = 1.0 / slope_length
+    t9 = t8 * d
+    t10 = t8 * t7
+    t11 = cos_beta * t2
+    t12 = (t2 * t11) + (t1 * t1)
+    t13 = t1 * (t11 - t2)
+    n_P_x = (t9 * t12) - (t10 * t3)
+    n_P_y = (t9 * t13) - (t10 * t4)
+    n_P_z = (t9 * t3) + (t10 * cos_beta)
+    t14 = (t5 * n_P_z) + (Omega_D_z * n_P_y)
+    n_dot_y = (Omega_D_z * n_P_x) - (Omega_D_x * n_P_z)
+    n_dot_z = (Omega_D_x * n_P_y) + (t5 * n_P_x)
+    t15 = n_dot_y * n_P_y
+    t16 = t14 * n_P_x
+    t17 = 1.0 + n_P_z
+    t18 = 1.0e-6 < t17
+    face_down = xp.logical_not(t18)
+    lean = call.select(face_down, 1.0, t17)
+    t19 = 1.0 / (2.0 * lean)
+    t20 = ((r_m * ((n_P_y * n_P_y) - (n_P_x * n_P_x))) * t19) * (2.0 * n_dot_z)
+    v_P_x = ((r_m * ((t15 + t15) + (t16 + t16))) - t20) * t19
+    t21 = r_m * n_P_x
+    t22 = 1.0 / lean
+    t23 = ((t21 * n_dot_y) - ((r_m * t14) * n_P_y)) - (((t21 * n_P_y) * t22) * n_dot_z)
+    v_P_y = t23 * t22
+    t24 = t6 / (4.0 * f)
+    t25 = (Omega_D_x * ((d * t13) + (t24 * t4))) + (t5 * ((d * t12) + (t24 * t3)))
+    z_M_dot = z_dot - t25
     sin_phi = xp.sin(phi)
     cos_phi = xp.cos(phi)
-    v_M_x = (sin_phi * t31) - (cos_phi * t27)
-    t34 = t29 * ((t12 * t16) + (t21 * t18))
-    t35 = t29 * ((t21 * t17) + (t11 * t16))
-    Omega_M_z = t29 * ((t11 * t18) - (t12 * t17))
-    Omega_M_y = (cos_phi * t35) - (sin_phi * t34)
+    v_M_x = (sin_phi * v_P_y) - (cos_phi * v_P_x)
+    Omega_P_x = t22 * ((n_P_y * n_dot_z) - (t17 * n_dot_y))
+    t26 = t22 * ((t17 * t14) + (n_P_x * n_dot_z))
+    Omega_P_z = t22 * ((n_P_x * n_dot_y) + (n_P_y * t14))
+    Omega_M_y = (cos_phi * t26) - (sin_phi * Omega_P_x)
     call.case(-3, face_down)  # UNREACHABLE
     return FacetRatesResult(
-        M_dot=call.array((3,), (v_M_x, -((sin_phi * t27) + (cos_phi * t31)), v_M_z)),
-        Omega=call.array((3,), (-((cos_phi * t34) + (sin_phi * t35)), Omega_M_y, Omega_M_z)),
+        M_dot=call.array((3,), (v_M_x, -((sin_phi * v_P_x) + (cos_phi * v_P_y)), z_M_dot)),
+        Omega=call.array((3,), (-((cos_phi * Omega_P_x) + (sin_phi * t26)), Omega_M_y,
+            Omega_P_z)),
         status=call.status,
     )
 
@@ -709,8 +707,8 @@ def jacobian_a(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, K_D
     )
     xp = call.xp
     (alpha, beta, f, d, r_b, r_m, z_O, phi) = call.values
-    leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants = (1.0, -0.5, -0.5)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386)
     t1 = d * d
     t2 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t2 * t2))
@@ -726,60 +724,61 @@ def jacobian_a(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, K_D
     cos_beta = xp.cos(beta)
     n_P_z = (cos_beta * t5) + (sin_beta * t8)
     t10 = (sin_beta * t5) - (cos_beta * t8)
-    t11 = (t7 * t10) - (t6 * t9)
-    t12 = (t6 * t10) + (t7 * t9)
-    t13 = 0.5 * (3.0 - n_P_z)
-    t14 = 1.0 + n_P_z
-    t15 = 1.0e-6 < t14
-    face_down = xp.logical_not(t15)
-    lean = call.select(face_down, 1.0, t14)
-    t16 = 1.0 / lean
-    t17 = 2.0 * t16
-    t18 = t1 / (4.0 * f)
-    D_P_z = ((cos_beta * t18) - (sin_beta * (t7 * d))) + z_O
+    a_x_z = (t7 * t10) - (t6 * t9)
+    a_y_z = (t6 * t10) + (t7 * t9)
+    t11 = 0.5 * (3.0 - n_P_z)
+    t12 = 1.0 + n_P_z
+    t13 = 1.0e-6 < t12
+    face_down = xp.logical_not(t13)
+    lean = call.select(face_down, 1.0, t12)
+    t14 = 1.0 / lean
+    t15 = 2.0 * t14
+    t16 = t1 / (4.0 * f)
+    arm_D_z = (cos_beta * t16) - (sin_beta * (t7 * d))
+    D_P_z = arm_D_z + z_O
     sin_phi = xp.sin(phi)
     cos_phi = xp.cos(phi)
-    t19 = t11 * t16
-    t20 = 1.0 - (t19 * t11)
-    t21 = t19 * t12
-    t22 = 1.0 - ((t12 * t16) * t12)
+    t17 = a_x_z * t14
+    a_x_x = 1.0 - (t17 * a_x_z)
+    t18 = t17 * a_y_z
+    a_y_y = 1.0 - ((a_y_z * t14) * a_y_z)
     e_z = [None] * 3
     e_x = [None] * 3
-    t23 = [None] * 3
+    t19 = [None] * 3
     J_A_14 = [None] * 3
     J_A_15 = [None] * 3
     J_A_16 = [None] * 3
     no_rod = call.never
     for leg in range(3):
-        t24 = (t11 * leg_constants[leg]) + (t12 * leg_constants_2[leg])
-        rho = r_m * (t13 - (t17 * (t24 * t24)))
+        t20 = (a_x_z * leg_constants[leg]) + (a_y_z * leg_constants_2[leg])
+        rho = r_m * (t11 - (t15 * (t20 * t20)))
         reach = rho - r_b
-        r_S_z = r_m * t24
+        r_S_z = r_m * t20
         h = D_P_z + r_S_z
         l_rod = xp.sqrt((reach * reach) + (h * h))
-        t25 = 1.0e-6 < l_rod
-        length = call.select(t25, l_rod, 1.0e-6)
-        t26 = 1.0 / length
-        t27 = reach * t26
-        t28 = t27 * leg_constants[leg]
-        t29 = t27 * leg_constants_2[leg]
-        e_z[leg] = h * t26
-        e_x[leg] = (sin_phi * t29) - (cos_phi * t28)
-        t23[leg] = (sin_phi * t28) + (cos_phi * t29)
-        t30 = r_m * ((leg_constants[leg] * t20) - (leg_constants_2[leg] * t21))
-        t31 = r_m * ((leg_constants_2[leg] * t22) - (leg_constants[leg] * t21))
-        r_S_x = (sin_phi * t31) - (cos_phi * t30)
-        t32 = (sin_phi * t30) + (cos_phi * t31)
-        J_A_14[leg] = (r_S_z * t23[leg]) - (t32 * e_z[leg])
+        t21 = 1.0e-6 < l_rod
+        length = call.select(t21, l_rod, 1.0e-6)
+        t22 = 1.0 / length
+        t23 = reach * t22
+        t24 = t23 * leg_constants[leg]
+        t25 = t23 * leg_constants_2[leg]
+        e_z[leg] = h * t22
+        e_x[leg] = (sin_phi * t25) - (cos_phi * t24)
+        t19[leg] = (sin_phi * t24) + (cos_phi * t25)
+        t26 = r_m * ((leg_constants[leg] * a_x_x) - (leg_constants_2[leg] * t18))
+        t27 = r_m * ((leg_constants_2[leg] * a_y_y) - (leg_constants[leg] * t18))
+        r_S_x = (sin_phi * t27) - (cos_phi * t26)
+        t28 = (sin_phi * t26) + (cos_phi * t27)
+        J_A_14[leg] = (r_S_z * t19[leg]) - (t28 * e_z[leg])
         J_A_15[leg] = (r_S_z * e_x[leg]) - (r_S_x * e_z[leg])
-        J_A_16[leg] = (t32 * e_x[leg]) - (r_S_x * t23[leg])
-        t33 = xp.logical_not(t25)
-        no_rod = xp.logical_or(no_rod, t33)
+        J_A_16[leg] = (t28 * e_x[leg]) - (r_S_x * t19[leg])
+        t29 = xp.logical_not(t21)
+        no_rod = xp.logical_or(no_rod, t29)
     call.case(-3, face_down)  # UNREACHABLE
     call.case(-3, no_rod)  # UNREACHABLE
     return JacobianAResult(
-        J_A=call.array((3, 6), (e_x[0], -t23[0], e_z[0], J_A_14[0], J_A_15[0], J_A_16[0], e_x[1],
-            -t23[1], e_z[1], J_A_14[1], J_A_15[1], J_A_16[1], e_x[2], -t23[2], e_z[2], J_A_14[2],
+        J_A=call.array((3, 6), (e_x[0], -t19[0], e_z[0], J_A_14[0], J_A_15[0], J_A_16[0], e_x[1],
+            -t19[1], e_z[1], J_A_14[1], J_A_15[1], J_A_16[1], e_x[2], -t19[2], e_z[2], J_A_14[2],
             J_A_15[2], J_A_16[2])),
         status=call.status,
     )
@@ -796,7 +795,7 @@ def jacobian_b(*, alpha, beta, f, d, r_m, phi, r_b=None, z_O=None, K_P=None, K_I
     T_D=None, T_S=None, F_max=None, K_V=None, F_C=None, v_C=None):
     """Jacobian from the rates of alpha, beta and z_O to the facet's twist about its point.
 
-    137 flops (93 mul, 39 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2
+    149 flops (100 mul, 44 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2
 
     Args:
         alpha: azimuth of the dish's axis from the east, counter-clockwise, rad
@@ -823,72 +822,75 @@ def jacobian_b(*, alpha, beta, f, d, r_m, phi, r_b=None, z_O=None, K_P=None, K_I
     )
     xp = call.xp
     (alpha, beta, f, d, r_m, phi) = call.values
-    t1 = d * d
-    t2 = 2.0 * f
-    slope_length = xp.sqrt(t1 + (t2 * t2))
-    t3 = 1.0 / slope_length
-    t4 = t3 * d
-    t5 = t3 * t2
-    psi = alpha - phi
-    t6 = xp.sin(psi)
-    t7 = xp.cos(psi)
-    t8 = t7 * t4
-    t9 = t6 * t4
     sin_beta = xp.sin(beta)
     cos_beta = xp.cos(beta)
-    n_P_z = (cos_beta * t5) + (sin_beta * t8)
-    t10 = (sin_beta * t5) - (cos_beta * t8)
-    t11 = (t7 * t10) - (t6 * t9)
-    t12 = (t6 * t10) + (t7 * t9)
-    t13 = sin_beta * t9
-    t14 = cos_beta * t9
-    t15 = ((t7 * t14) - (t6 * t8)) - t12
-    t16 = t11 + ((t6 * t14) + (t7 * t8))
-    t17 = t16 * t12
-    t18 = t15 * t11
-    t19 = 1.0 + n_P_z
-    t20 = 1.0e-6 < t19
-    face_down = xp.logical_not(t20)
-    lean = call.select(face_down, 1.0, t19)
-    t21 = 1.0 / (2.0 * lean)
-    t22 = (r_m * ((t12 * t12) - (t11 * t11))) * t21
-    t23 = call.select(face_down, 0.0, (-t13))
-    t24 = (r_m * ((t17 + t17) - (t18 + t18))) - (t22 * (2.0 * t23))
-    t25 = t24 * t21
-    t26 = r_m * t11
-    t27 = 1.0 / lean
-    t28 = (t26 * t12) * t27
-    t29 = (((r_m * t15) * t12) + (t26 * t16)) - (t28 * t23)
-    t30 = t29 * t27
-    t31 = t1 / (4.0 * f)
-    J_B_31 = sin_beta * (t6 * d)
+    psi = alpha - phi
+    Omega_D_beta_x = xp.sin(psi)
+    t1 = xp.cos(psi)
+    Omega_D_alpha_x = t1 * sin_beta
+    Omega_D_alpha_y = Omega_D_beta_x * sin_beta
+    Omega_D_alpha_z = 1.0 - cos_beta
+    t2 = d * d
+    t3 = 2.0 * f
+    slope_length = xp.sqrt(t2 + (t3 * t3))
+    t4 = 1.0 / slope_length
+    t5 = t4 * d
+    t6 = t4 * t3
+    t7 = cos_beta * t1
+    t8 = (t1 * t7) + (Omega_D_beta_x * Omega_D_beta_x)
+    t9 = Omega_D_beta_x * (t7 - t1)
+    n_P_x = (t5 * t8) - (t6 * Omega_D_alpha_x)
+    n_P_y = (t5 * t9) - (t6 * Omega_D_alpha_y)
+    n_P_z = (t5 * Omega_D_alpha_x) + (t6 * cos_beta)
+    n_alpha_x = (Omega_D_alpha_y * n_P_z) - (Omega_D_alpha_z * n_P_y)
+    n_alpha_y = (Omega_D_alpha_z * n_P_x) - (Omega_D_alpha_x * n_P_z)
+    n_alpha_z = (Omega_D_alpha_x * n_P_y) - (Omega_D_alpha_y * n_P_x)
+    t10 = n_alpha_y * n_P_y
+    t11 = n_alpha_x * n_P_x
+    t12 = 1.0 + n_P_z
+    t13 = 1.0e-6 < t12
+    face_down = xp.logical_not(t13)
+    lean = call.select(face_down, 1.0, t12)
+    t14 = 1.0 / (2.0 * lean)
+    t15 = (r_m * ((n_P_y * n_P_y) - (n_P_x * n_P_x))) * t14
+    t16 = (r_m * ((t10 + t10) - (t11 + t11))) - (t15 * (2.0 * n_alpha_z))
+    v_alpha_x = t16 * t14
+    t17 = r_m * n_P_x
+    t18 = 1.0 / lean
+    t19 = (t17 * n_P_y) * t18
+    t20 = (((r_m * n_alpha_x) * n_P_y) + (t17 * n_alpha_y)) - (t19 * n_alpha_z)
+    v_alpha_y = t20 * t18
+    t21 = t2 / (4.0 * f)
+    t22 = (d * t8) + (t21 * Omega_D_alpha_x)
+    t23 = (d * t9) + (t21 * Omega_D_alpha_y)
+    z_alpha = (Omega_D_alpha_y * t22) - (Omega_D_alpha_x * t23)
     sin_phi = xp.sin(phi)
     cos_phi = xp.cos(phi)
-    J_B_11 = (sin_phi * t30) - (cos_phi * t25)
-    t32 = t7 * n_P_z
-    t33 = t6 * n_P_z
-    t34 = t33 * t12
-    t35 = t32 * t11
-    t36 = call.select(face_down, 0.0, (-t10))
-    t37 = (r_m * ((t34 + t34) - (t35 + t35))) - (t22 * (2.0 * t36))
-    t38 = t37 * t21
-    t39 = (((r_m * t32) * t12) + (t26 * t33)) - (t28 * t36)
-    t40 = t39 * t27
-    J_B_12 = (sin_phi * t40) - (cos_phi * t38)
-    t41 = t27 * ((t12 * t13) + (t19 * t16))
-    t42 = t27 * ((t19 * t15) + (t11 * t13))
-    J_B_61 = t27 * ((t11 * t16) - (t12 * t15))
-    J_B_51 = (cos_phi * t42) - (sin_phi * t41)
-    t43 = t27 * ((t12 * t10) + (t19 * t33))
-    t44 = t27 * ((t19 * t32) + (t11 * t10))
-    J_B_62 = t27 * ((t11 * t33) - (t12 * t32))
-    J_B_52 = (cos_phi * t44) - (sin_phi * t43)
+    J_B_11 = (sin_phi * v_alpha_y) - (cos_phi * v_alpha_x)
+    t24 = t1 * n_P_z
+    t25 = Omega_D_beta_x * n_P_z
+    n_beta_z = (Omega_D_beta_x * n_P_y) + (t1 * n_P_x)
+    t26 = t25 * n_P_y
+    t27 = t24 * n_P_x
+    t28 = (r_m * ((t27 + t27) - (t26 + t26))) - (t15 * (2.0 * n_beta_z))
+    v_beta_x = t28 * t14
+    t29 = ((((r_m * t24) * n_P_y) + (t17 * t25)) + (t19 * n_beta_z)) * t18
+    J_B_22 = (cos_phi * t29) - (sin_phi * v_beta_x)
+    Omega_alpha_x = t18 * ((n_P_y * n_alpha_z) - (t12 * n_alpha_y))
+    Omega_alpha_y = t18 * ((t12 * n_alpha_x) - (n_P_x * n_alpha_z))
+    Omega_alpha_z = t18 * ((n_P_x * n_alpha_y) - (n_P_y * n_alpha_x))
+    J_B_41 = (sin_phi * Omega_alpha_y) - (cos_phi * Omega_alpha_x)
+    Omega_beta_x = t18 * ((n_P_y * n_beta_z) + (t12 * t25))
+    t30 = t18 * ((t12 * t24) + (n_P_x * n_beta_z))
+    Omega_beta_z = t18 * ((n_P_y * t24) - (n_P_x * t25))
+    J_B_52 = (cos_phi * t30) - (sin_phi * Omega_beta_x)
     call.case(-3, face_down)  # UNREACHABLE
     return JacobianBResult(
-        J_B=call.array((6, 3), (J_B_11, J_B_12, 0.0, -((sin_phi * t25) + (cos_phi * t30)),
-            -((sin_phi * t38) + (cos_phi * t40)), 0.0, J_B_31, -((sin_beta * t31) + (cos_beta *
-            (t7 * d))), 1.0, -((cos_phi * t41) + (sin_phi * t42)), -((cos_phi * t43) + (sin_phi *
-            t44)), 0.0, J_B_51, J_B_52, 0.0, J_B_61, J_B_62, 0.0)),
+        J_B=call.array((6, 3), (J_B_11, -((cos_phi * v_beta_x) + (sin_phi * t29)), 0.0, -((sin_phi
+            * v_alpha_x) + (cos_phi * v_alpha_y)), J_B_22, 0.0, z_alpha, -((Omega_D_beta_x * t23)
+            + (t1 * t22)), 1.0, J_B_41, -((cos_phi * Omega_beta_x) + (sin_phi * t30)), 0.0,
+            -((sin_phi * Omega_alpha_x) + (cos_phi * Omega_alpha_y)), J_B_52, 0.0, Omega_alpha_z,
+            Omega_beta_z, 0.0)),
         status=call.status,
     )
 
@@ -937,8 +939,8 @@ def jacobian_full(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, 
     )
     xp = call.xp
     (alpha, beta, f, d, r_b, r_m, z_O, phi) = call.values
-    leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    t_y = (1.0, -0.5, -0.5)
+    leg_constants = (0.0, 0.8660254037844386, -0.8660254037844386)
     t1 = d * d
     t2 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t2 * t2))
@@ -954,65 +956,66 @@ def jacobian_full(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, 
     cos_beta = xp.cos(beta)
     n_P_z = (cos_beta * t5) + (sin_beta * t8)
     t10 = (sin_beta * t5) - (cos_beta * t8)
-    t11 = (t7 * t10) - (t6 * t9)
-    t12 = (t6 * t10) + (t7 * t9)
-    t13 = 0.5 * (3.0 - n_P_z)
-    t14 = 1.0 + n_P_z
-    t15 = 1.0e-6 < t14
-    face_down = xp.logical_not(t15)
-    lean = call.select(face_down, 1.0, t14)
-    t16 = 1.0 / lean
-    t17 = 2.0 * t16
-    t18 = t1 / (4.0 * f)
-    D_P_z = ((cos_beta * t18) - (sin_beta * (t7 * d))) + z_O
+    a_x_z = (t7 * t10) - (t6 * t9)
+    a_y_z = (t6 * t10) + (t7 * t9)
+    t11 = 0.5 * (3.0 - n_P_z)
+    t12 = 1.0 + n_P_z
+    t13 = 1.0e-6 < t12
+    face_down = xp.logical_not(t13)
+    lean = call.select(face_down, 1.0, t12)
+    t14 = 1.0 / lean
+    t15 = 2.0 * t14
+    t16 = t1 / (4.0 * f)
+    arm_D_z = (cos_beta * t16) - (sin_beta * (t7 * d))
+    D_P_z = arm_D_z + z_O
     sin_phi = xp.sin(phi)
     cos_phi = xp.cos(phi)
-    t19 = t11 * t16
-    t20 = 1.0 - (t19 * t11)
-    t21 = t19 * t12
-    t22 = 1.0 - ((t12 * t16) * t12)
+    t17 = a_x_z * t14
+    a_x_x = 1.0 - (t17 * a_x_z)
+    t18 = t17 * a_y_z
+    a_y_y = 1.0 - ((a_y_z * t14) * a_y_z)
     e_z = [None] * 3
     e_x = [None] * 3
-    t23 = [None] * 3
+    t19 = [None] * 3
     J_A_14 = [None] * 3
     J_A_15 = [None] * 3
     J_A_16 = [None] * 3
-    J_plane_11 = [None] * 3
-    J_plane_12 = [None] * 3
-    t24 = [None] * 3
+    t_H_x = [None] * 3
+    t_H_y = [None] * 3
+    t20 = [None] * 3
     J_plane_15 = [None] * 3
     J_plane_16 = [None] * 3
     no_rod = call.never
     for leg in range(3):
-        t25 = (t11 * leg_constants[leg]) + (t12 * leg_constants_2[leg])
-        rho = r_m * (t13 - (t17 * (t25 * t25)))
+        t21 = (a_x_z * t_y[leg]) + (a_y_z * leg_constants[leg])
+        rho = r_m * (t11 - (t15 * (t21 * t21)))
         reach = rho - r_b
-        r_S_z = r_m * t25
+        r_S_z = r_m * t21
         h = D_P_z + r_S_z
         l_rod = xp.sqrt((reach * reach) + (h * h))
-        t26 = 1.0e-6 < l_rod
-        length = call.select(t26, l_rod, 1.0e-6)
-        t27 = 1.0 / length
-        t28 = reach * t27
-        t29 = t28 * leg_constants[leg]
-        t30 = t28 * leg_constants_2[leg]
-        e_z[leg] = h * t27
-        e_x[leg] = (sin_phi * t30) - (cos_phi * t29)
-        t23[leg] = (sin_phi * t29) + (cos_phi * t30)
-        t31 = r_m * ((leg_constants[leg] * t20) - (leg_constants_2[leg] * t21))
-        t32 = r_m * ((leg_constants_2[leg] * t22) - (leg_constants[leg] * t21))
-        r_S_x = (sin_phi * t32) - (cos_phi * t31)
-        t33 = (sin_phi * t31) + (cos_phi * t32)
-        J_A_14[leg] = (r_S_z * t23[leg]) - (t33 * e_z[leg])
+        t22 = 1.0e-6 < l_rod
+        length = call.select(t22, l_rod, 1.0e-6)
+        t23 = 1.0 / length
+        t24 = reach * t23
+        t25 = t24 * t_y[leg]
+        t26 = t24 * leg_constants[leg]
+        e_z[leg] = h * t23
+        e_x[leg] = (sin_phi * t26) - (cos_phi * t25)
+        t19[leg] = (sin_phi * t25) + (cos_phi * t26)
+        t27 = r_m * ((t_y[leg] * a_x_x) - (leg_constants[leg] * t18))
+        t28 = r_m * ((leg_constants[leg] * a_y_y) - (t_y[leg] * t18))
+        r_S_x = (sin_phi * t28) - (cos_phi * t27)
+        t29 = (sin_phi * t27) + (cos_phi * t28)
+        J_A_14[leg] = (r_S_z * t19[leg]) - (t29 * e_z[leg])
         J_A_15[leg] = (r_S_z * e_x[leg]) - (r_S_x * e_z[leg])
-        J_A_16[leg] = (t33 * e_x[leg]) - (r_S_x * t23[leg])
-        J_plane_11[leg] = (cos_phi * leg_constants_2[leg]) + (sin_phi * leg_constants[leg])
-        J_plane_12[leg] = (sin_phi * leg_constants_2[leg]) - (cos_phi * leg_constants[leg])
-        t24[leg] = r_S_z * J_plane_12[leg]
-        J_plane_15[leg] = r_S_z * J_plane_11[leg]
-        J_plane_16[leg] = (r_S_x * J_plane_12[leg]) + (t33 * J_plane_11[leg])
-        t34 = xp.logical_not(t26)
-        no_rod = xp.logical_or(no_rod, t34)
+        J_A_16[leg] = (t29 * e_x[leg]) - (r_S_x * t19[leg])
+        t_H_x[leg] = (cos_phi * leg_constants[leg]) + (sin_phi * t_y[leg])
+        t_H_y[leg] = (sin_phi * leg_constants[leg]) - (cos_phi * t_y[leg])
+        t20[leg] = r_S_z * t_H_y[leg]
+        J_plane_15[leg] = r_S_z * t_H_x[leg]
+        J_plane_16[leg] = (r_S_x * t_H_y[leg]) + (t29 * t_H_x[leg])
+        t30 = xp.logical_not(t22)
+        no_rod = xp.logical_or(no_rod, t30)
     J_11 = e_x[0]
     J_13 = e_z[0]
     J_14 = J_A_14[0]
@@ -1028,24 +1031,24 @@ def jacobian_full(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, 
     J_34 = J_A_14[2]
     J_35 = J_A_15[2]
     J_36 = J_A_16[2]
-    J_41 = J_plane_11[0]
-    J_42 = J_plane_12[0]
+    J_41 = t_H_x[0]
+    J_42 = t_H_y[0]
     J_45 = J_plane_15[0]
     J_46 = J_plane_16[0]
-    J_51 = J_plane_11[1]
-    J_52 = J_plane_12[1]
+    J_51 = t_H_x[1]
+    J_52 = t_H_y[1]
     J_55 = J_plane_15[1]
     J_56 = J_plane_16[1]
-    J_61 = J_plane_11[2]
-    J_62 = J_plane_12[2]
+    J_61 = t_H_x[2]
+    J_62 = t_H_y[2]
     J_65 = J_plane_15[2]
     J_66 = J_plane_16[2]
     call.case(-3, face_down)  # UNREACHABLE
     call.case(-3, no_rod)  # UNREACHABLE
     return JacobianFullResult(
-        J=call.array((6, 6), (J_11, -t23[0], J_13, J_14, J_15, J_16, J_21, -t23[1], J_23, J_24,
-            J_25, J_26, J_31, -t23[2], J_33, J_34, J_35, J_36, J_41, J_42, 0.0, -t24[0], J_45,
-            J_46, J_51, J_52, 0.0, -t24[1], J_55, J_56, J_61, J_62, 0.0, -t24[2], J_65, J_66)),
+        J=call.array((6, 6), (J_11, -t19[0], J_13, J_14, J_15, J_16, J_21, -t19[1], J_23, J_24,
+            J_25, J_26, J_31, -t19[2], J_33, J_34, J_35, J_36, J_41, J_42, 0.0, -t20[0], J_45,
+            J_46, J_51, J_52, 0.0, -t20[1], J_55, J_56, J_61, J_62, 0.0, -t20[2], J_65, J_66)),
         status=call.status,
     )
 
@@ -1093,8 +1096,8 @@ def jacobian_passive(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=Non
     )
     xp = call.xp
     (alpha, beta, f, d, r_b, r_m, z_O, phi) = call.values
-    leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants = (1.0, -0.5, -0.5)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386)
     t1 = d * d
     t2 = t1 / (4.0 * f)
     psi = alpha - phi
@@ -1102,7 +1105,8 @@ def jacobian_passive(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=Non
     t4 = xp.cos(psi)
     sin_beta = xp.sin(beta)
     cos_beta = xp.cos(beta)
-    D_P_z = ((cos_beta * t2) - (sin_beta * (t4 * d))) + z_O
+    arm_D_z = (cos_beta * t2) - (sin_beta * (t4 * d))
+    D_P_z = arm_D_z + z_O
     t5 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t5 * t5))
     t6 = 1.0 / slope_length
@@ -1112,62 +1116,62 @@ def jacobian_passive(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=Non
     t10 = t3 * t7
     n_P_z = (cos_beta * t8) + (sin_beta * t9)
     t11 = (sin_beta * t8) - (cos_beta * t9)
-    t12 = (t4 * t11) - (t3 * t10)
-    t13 = (t3 * t11) + (t4 * t10)
-    t14 = 0.5 * (3.0 - n_P_z)
-    t15 = 1.0 + n_P_z
-    t16 = 1.0e-6 < t15
-    face_down = xp.logical_not(t16)
-    lean = call.select(face_down, 1.0, t15)
-    t17 = 1.0 / lean
-    t18 = 2.0 * t17
+    a_x_z = (t4 * t11) - (t3 * t10)
+    a_y_z = (t3 * t11) + (t4 * t10)
+    t12 = 0.5 * (3.0 - n_P_z)
+    t13 = 1.0 + n_P_z
+    t14 = 1.0e-6 < t13
+    face_down = xp.logical_not(t14)
+    lean = call.select(face_down, 1.0, t13)
+    t15 = 1.0 / lean
+    t16 = 2.0 * t15
     sin_phi = xp.sin(phi)
     cos_phi = xp.cos(phi)
-    t19 = t12 * t17
-    t20 = 1.0 - (t19 * t12)
-    t21 = t19 * t13
-    t22 = 1.0 - ((t13 * t17) * t13)
+    t17 = a_x_z * t15
+    a_x_x = 1.0 - (t17 * a_x_z)
+    t18 = t17 * a_y_z
+    a_y_y = 1.0 - ((a_y_z * t15) * a_y_z)
     J_P_11 = [None] * 3
-    t23 = [None] * 3
-    t24 = [None] * 3
+    t19 = [None] * 3
+    t20 = [None] * 3
     J_P_14 = [None] * 3
     J_P_15 = [None] * 3
     J_P_16 = [None] * 3
     no_rod = call.never
     for leg in range(3):
-        t25 = (t12 * leg_constants[leg]) + (t13 * leg_constants_2[leg])
-        r_S_z = r_m * t25
+        t21 = (a_x_z * leg_constants[leg]) + (a_y_z * leg_constants_2[leg])
+        r_S_z = r_m * t21
         h = D_P_z + r_S_z
-        rho = r_m * (t14 - (t18 * (t25 * t25)))
+        rho = r_m * (t12 - (t16 * (t21 * t21)))
         reach = rho - r_b
         l_rod = xp.sqrt((reach * reach) + (h * h))
-        t26 = 1.0e-6 < l_rod
-        length = call.select(t26, l_rod, 1.0e-6)
-        t27 = 1.0 / length
-        t28 = h * t27
-        t29 = t28 * leg_constants[leg]
-        t30 = t28 * leg_constants_2[leg]
-        t31 = reach * t27
-        t32 = (sin_phi * t30) - (cos_phi * t29)
-        t33 = (sin_phi * t29) + (cos_phi * t30)
-        J_P_11[leg] = t32 * t27
-        t23[leg] = t33 * t27
-        t24[leg] = t31 * t27
-        t34 = r_m * ((leg_constants[leg] * t20) - (leg_constants_2[leg] * t21))
-        t35 = r_m * ((leg_constants_2[leg] * t22) - (leg_constants[leg] * t21))
-        r_S_x = (sin_phi * t35) - (cos_phi * t34)
-        t36 = (sin_phi * t34) + (cos_phi * t35)
-        J_P_14[leg] = ((t36 * t31) + (r_S_z * t33)) * t27
-        J_P_15[leg] = ((r_S_z * t32) + (r_S_x * t31)) * t27
-        J_P_16[leg] = ((t36 * t32) - (r_S_x * t33)) * t27
-        t37 = xp.logical_not(t26)
-        no_rod = xp.logical_or(no_rod, t37)
+        t22 = 1.0e-6 < l_rod
+        length = call.select(t22, l_rod, 1.0e-6)
+        t23 = 1.0 / length
+        t24 = h * t23
+        t25 = t24 * leg_constants[leg]
+        t26 = t24 * leg_constants_2[leg]
+        t27 = reach * t23
+        e_across_x = (sin_phi * t26) - (cos_phi * t25)
+        t28 = (sin_phi * t25) + (cos_phi * t26)
+        J_P_11[leg] = e_across_x * t23
+        t19[leg] = t28 * t23
+        t20[leg] = t27 * t23
+        t29 = r_m * ((leg_constants[leg] * a_x_x) - (leg_constants_2[leg] * t18))
+        t30 = r_m * ((leg_constants_2[leg] * a_y_y) - (leg_constants[leg] * t18))
+        r_S_x = (sin_phi * t30) - (cos_phi * t29)
+        t31 = (sin_phi * t29) + (cos_phi * t30)
+        J_P_14[leg] = ((t31 * t27) + (r_S_z * t28)) * t23
+        J_P_15[leg] = ((r_S_z * e_across_x) + (r_S_x * t27)) * t23
+        J_P_16[leg] = ((t31 * e_across_x) - (r_S_x * t28)) * t23
+        t32 = xp.logical_not(t22)
+        no_rod = xp.logical_or(no_rod, t32)
     call.case(-3, face_down)  # UNREACHABLE
     call.case(-3, no_rod)  # UNREACHABLE
     return JacobianPassiveResult(
-        J_P=call.array((3, 6), (J_P_11[0], -t23[0], -t24[0], J_P_14[0], J_P_15[0], J_P_16[0],
-            J_P_11[1], -t23[1], -t24[1], J_P_14[1], J_P_15[1], J_P_16[1], J_P_11[2], -t23[2],
-            -t24[2], J_P_14[2], J_P_15[2], J_P_16[2])),
+        J_P=call.array((3, 6), (J_P_11[0], -t19[0], -t20[0], J_P_14[0], J_P_15[0], J_P_16[0],
+            J_P_11[1], -t19[1], -t20[1], J_P_14[1], J_P_15[1], J_P_16[1], J_P_11[2], -t19[2],
+            -t20[2], J_P_14[2], J_P_15[2], J_P_16[2])),
         status=call.status,
     )
 
@@ -1183,7 +1187,7 @@ def passive_rates(*, alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_b, r_m, z_
     K_I=None, K_D=None, T_D=None, T_S=None, F_max=None, K_V=None, F_C=None, v_C=None):
     """Rates of the three hinges of one facet.
 
-    164 flops (102 mul, 52 add, 6 div, 4 sqrt), 4 sin/cos, 0 atan2
+    161 flops (97 mul, 54 add, 6 div, 4 sqrt), 4 sin/cos, 0 atan2
 
     Args:
         alpha: azimuth of the dish's axis from the east, counter-clockwise, rad
@@ -1220,66 +1224,68 @@ def passive_rates(*, alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_b, r_m, z_
     )
     xp = call.xp
     (alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_b, r_m, z_O, phi) = call.values
-    leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants = (1.0, -0.5, -0.5)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386)
     t1 = d * d
     t2 = t1 / (4.0 * f)
     psi = alpha - phi
     t3 = xp.sin(psi)
     t4 = xp.cos(psi)
-    t5 = t4 * d
     sin_beta = xp.sin(beta)
     cos_beta = xp.cos(beta)
-    D_P_z = ((cos_beta * t2) - (sin_beta * t5)) + z_O
-    t6 = 2.0 * f
-    slope_length = xp.sqrt(t1 + (t6 * t6))
-    t7 = 1.0 / slope_length
-    t8 = t7 * d
-    t9 = t7 * t6
-    t10 = t4 * t8
-    t11 = t3 * t8
-    t12 = (cos_beta * t9) + (sin_beta * t10)
-    t13 = (sin_beta * t9) - (cos_beta * t10)
-    t14 = (t4 * t13) - (t3 * t11)
-    t15 = (t3 * t13) + (t4 * t11)
-    t16 = alpha_dot * t11
-    t17 = alpha_dot * t10
-    t18 = (beta_dot * t12) + (cos_beta * t16)
-    t19 = (beta_dot * t13) + (sin_beta * t16)
-    t20 = ((t4 * t18) - (t3 * t17)) - (alpha_dot * t15)
-    t21 = (alpha_dot * t14) + ((t3 * t18) + (t4 * t17))
-    t22 = 0.5 * t19
-    t23 = 1.0 + t12
-    t24 = 1.0e-6 < t23
-    face_down = xp.logical_not(t24)
-    lean = call.select(face_down, 1.0, t23)
-    t25 = 1.0 / lean
-    t26 = call.select(face_down, 0.0, (-t19))
-    t27 = 0.5 * (3.0 - t12)
-    t28 = (sin_beta * (alpha_dot * (t3 * d))) - (beta_dot * ((sin_beta * t2) + (cos_beta * t5)))
-    t29 = t28 + z_dot
-    t30 = [None] * 3
+    t5 = sin_beta * t4
+    t6 = cos_beta * t4
+    t7 = (t4 * t6) + (t3 * t3)
+    t8 = t3 * (t6 - t4)
+    t9 = sin_beta * t3
+    arm_D_z = (t2 * cos_beta) - (d * t5)
+    D_P_z = arm_D_z + z_O
+    t10 = 2.0 * f
+    slope_length = xp.sqrt(t1 + (t10 * t10))
+    t11 = 1.0 / slope_length
+    t12 = t11 * d
+    t13 = t11 * t10
+    n_P_x = (t12 * t7) - (t13 * t5)
+    n_P_y = (t12 * t8) - (t13 * t9)
+    n_P_z = (t12 * t5) + (t13 * cos_beta)
+    Omega_D_x = (beta_dot * t3) + (alpha_dot * t5)
+    t14 = (beta_dot * t4) - (alpha_dot * t9)
+    Omega_D_z = alpha_dot - (alpha_dot * cos_beta)
+    t15 = (t14 * n_P_z) + (Omega_D_z * n_P_y)
+    n_dot_y = (Omega_D_z * n_P_x) - (Omega_D_x * n_P_z)
+    n_dot_z = (Omega_D_x * n_P_y) + (t14 * n_P_x)
+    t16 = 0.5 * n_dot_z
+    t17 = 1.0 + n_P_z
+    t18 = 1.0e-6 < t17
+    face_down = xp.logical_not(t18)
+    lean = call.select(face_down, 1.0, t17)
+    t19 = 1.0 / lean
+    t20 = 2.0 * t19
+    t21 = 0.5 * (3.0 - n_P_z)
+    t22 = (Omega_D_x * ((d * t8) + (t2 * t9))) + (t14 * ((d * t7) + (t2 * t5)))
+    z_M_dot = z_dot - t22
+    t23 = [None] * 3
     no_rod = call.never
     for leg in range(3):
-        t31 = (t14 * leg_constants[leg]) + (t15 * leg_constants_2[leg])
-        h = D_P_z + (r_m * t31)
-        t32 = (t20 * leg_constants[leg]) + (t21 * leg_constants_2[leg])
-        t33 = 2.0 * t31
-        t34 = (t33 * t31) * t25
-        t35 = (((2.0 * t32) * t31) + (t33 * t32)) - (t34 * t26)
-        rho = r_m * (t27 - t34)
+        w = (n_P_x * leg_constants[leg]) + (n_P_y * leg_constants_2[leg])
+        h = D_P_z - (r_m * w)
+        w_dot = (n_dot_y * leg_constants_2[leg]) - (t15 * leg_constants[leg])
+        t24 = w_dot * w
+        t25 = t20 * (w * w)
+        t26 = t16 + (((2.0 * (t24 + t24)) - (t25 * n_dot_z)) * t19)
+        rho = r_m * (t21 - t25)
         reach = rho - r_b
-        t36 = (h * (r_m * ((t35 * t25) - t22))) + (reach * (t29 + (r_m * t32)))
+        h_dot = z_M_dot - (r_m * w_dot)
         l_rod = xp.sqrt((reach * reach) + (h * h))
-        t37 = 1.0e-6 < l_rod
-        length = call.select(t37, l_rod, 1.0e-6)
-        t30[leg] = t36 / (length * length)
-        t38 = xp.logical_not(t37)
-        no_rod = xp.logical_or(no_rod, t38)
+        t27 = 1.0e-6 < l_rod
+        length = call.select(t27, l_rod, 1.0e-6)
+        t23[leg] = ((h * (r_m * t26)) + (reach * h_dot)) / (length * length)
+        t28 = xp.logical_not(t27)
+        no_rod = xp.logical_or(no_rod, t28)
     call.case(-3, face_down)  # UNREACHABLE
     call.case(-3, no_rod)  # UNREACHABLE
     return PassiveRatesResult(
-        p_R_dot=call.array((3,), (-t30[0], -t30[1], -t30[2])),
+        p_R_dot=call.array((3,), (-t23[0], -t23[1], -t23[2])),
         status=call.status,
     )
 
@@ -1326,8 +1332,8 @@ def joint_angles(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, K
     )
     xp = call.xp
     (alpha, beta, f, d, r_b, r_m, z_O, phi) = call.values
-    leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants = (1.0, -0.5, -0.5)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386)
     t1 = d * d
     t2 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t2 * t2))
@@ -1353,7 +1359,8 @@ def joint_angles(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, K
     t16 = 1.0 / lean
     t17 = 2.0 * t16
     t18 = t1 / (4.0 * f)
-    D_P_z = ((cos_beta * t18) - (sin_beta * (t7 * d))) + z_O
+    arm_D_z = (cos_beta * t18) - (sin_beta * (t7 * d))
+    D_P_z = arm_D_z + z_O
     s = [None] * 3
     no_rod = call.never
     for leg in range(3):
@@ -1422,8 +1429,8 @@ def revolute_angles(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None
     )
     xp = call.xp
     (alpha, beta, f, d, r_b, r_m, z_O, phi) = call.values
-    leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants = (1.0, -0.5, -0.5)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386)
     t1 = d * d
     t2 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t2 * t2))
@@ -1437,32 +1444,33 @@ def revolute_angles(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None
     t9 = t6 * t4
     sin_beta = xp.sin(beta)
     cos_beta = xp.cos(beta)
-    t10 = (cos_beta * t5) + (sin_beta * t8)
-    t11 = (sin_beta * t5) - (cos_beta * t8)
-    t12 = (t7 * t11) - (t6 * t9)
-    t13 = (t6 * t11) + (t7 * t9)
-    t14 = 0.5 * (3.0 - t10)
-    t15 = 1.0 + t10
-    t16 = 1.0e-6 < t15
-    face_down = xp.logical_not(t16)
-    lean = call.select(face_down, 1.0, t15)
-    t17 = 1.0 / lean
-    t18 = 2.0 * t17
-    t19 = t1 / (4.0 * f)
-    D_P_z = ((cos_beta * t19) - (sin_beta * (t7 * d))) + z_O
+    n_P_z = (cos_beta * t5) + (sin_beta * t8)
+    t10 = (sin_beta * t5) - (cos_beta * t8)
+    t11 = (t7 * t10) - (t6 * t9)
+    t12 = (t6 * t10) + (t7 * t9)
+    t13 = 0.5 * (3.0 - n_P_z)
+    t14 = 1.0 + n_P_z
+    t15 = 1.0e-6 < t14
+    face_down = xp.logical_not(t15)
+    lean = call.select(face_down, 1.0, t14)
+    t16 = 1.0 / lean
+    t17 = 2.0 * t16
+    t18 = t1 / (4.0 * f)
+    arm_D_z = (cos_beta * t18) - (sin_beta * (t7 * d))
+    D_P_z = arm_D_z + z_O
     p_R = [None] * 3
     no_rod = call.never
     for leg in range(3):
-        t20 = (t12 * leg_constants[leg]) + (t13 * leg_constants_2[leg])
-        rho = r_m * (t14 - (t18 * (t20 * t20)))
+        t19 = (t11 * leg_constants[leg]) + (t12 * leg_constants_2[leg])
+        rho = r_m * (t13 - (t17 * (t19 * t19)))
         reach = rho - r_b
-        h = D_P_z + (r_m * t20)
+        h = D_P_z + (r_m * t19)
         l_rod = xp.sqrt((reach * reach) + (h * h))
-        t21 = 1.0e-6 < l_rod
-        t22 = call.select(t21, h, 1.0e-6)
-        p_R[leg] = xp.atan2(reach, t22)
-        t23 = xp.logical_not(t21)
-        no_rod = xp.logical_or(no_rod, t23)
+        t20 = 1.0e-6 < l_rod
+        t21 = call.select(t20, h, 1.0e-6)
+        p_R[leg] = xp.atan2(reach, t21)
+        t22 = xp.logical_not(t20)
+        no_rod = xp.logical_or(no_rod, t22)
     call.case(-3, face_down)  # UNREACHABLE
     call.case(-3, no_rod)  # UNREACHABLE
     return RevoluteAnglesResult(
@@ -1484,7 +1492,7 @@ def forward(*, l, guess, f, d, r_b, r_m, phi, z_O=None, K_P=None, K_I=None, K_D=
     """Rotation and point of the facet on rods of the lengths given, by eight steps of Newton's
     method from a guess.
 
-    1799 flops (1029 mul, 748 add, 21 div, 1 sqrt), 6 sin/cos, 0 atan2
+    1807 flops (1037 mul, 748 add, 21 div, 1 sqrt), 6 sin/cos, 0 atan2
 
     Args:
         l: length of rod i, m, shape (..., 3)
@@ -1497,8 +1505,9 @@ def forward(*, l, guess, f, d, r_b, r_m, phi, z_O=None, K_P=None, K_I=None, K_D=
         z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C: accepted and not read
 
     Returns:
-        H_R_M: rotation of the facet on rods of the lengths given, shape (..., 3, 3)
-        M: the facet's point on rods of the lengths given, {H}, m, shape (..., 3)
+        H_R_M: rotation of the facet on rods of the lengths given: its axes in {H}, shape (..., 3,
+            3)
+        M: point of the facet on rods of the lengths given, {H}, m, shape (..., 3)
         status -4 (NOT_CONVERGED): the search did not end on rods of these lengths
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
@@ -1513,12 +1522,10 @@ def forward(*, l, guess, f, d, r_b, r_m, phi, z_O=None, K_P=None, K_I=None, K_D=
     )
     xp = call.xp
     (l, guess_x, guess_y, guess_z, f, d, r_b, r_m, phi) = call.values
-    leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
-    leg_constants_3 = (0.0, 3.4641016151377544, -3.4641016151377544,)
-    leg_constants_4 = (0.0, 1.7320508075688772, -1.7320508075688772,)
-    leg_constants_5 = (4.0, -2.0, -2.0,)
-    leg_constants_6 = (2.0, -1.0, -1.0,)
+    leg_constants = (1.0, -0.5, -0.5)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386)
+    leg_constants_3 = (0.0, 1.7320508075688772, -1.7320508075688772)
+    leg_constants_4 = (2.0, -1.0, -1.0)
     t1 = d * d
     t2 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t2 * t2))
@@ -1532,14 +1539,16 @@ def forward(*, l, guess, f, d, r_b, r_m, phi, z_O=None, K_P=None, K_I=None, K_D=
     t9 = t6 * t4
     t10 = xp.sin(guess_y)
     t11 = xp.cos(guess_y)
+    n_P_z = (t11 * t5) + (t10 * t8)
     t12 = (t10 * t5) - (t11 * t8)
-    t13 = 1.0 + ((t11 * t5) + (t10 * t8))
+    t13 = 1.0 + n_P_z
     t14 = 1.0e-6 < t13
     face_down = xp.logical_not(t14)
     lean = call.select(face_down, 1.0, t13)
     t15 = 1.0 / lean
     t16 = t1 / (4.0 * f)
-    D_P_z = ((t11 * t16) - (t10 * (t7 * d))) + guess_z
+    arm_D_z = (t11 * t16) - (t10 * (t7 * d))
+    D_P_z = arm_D_z + guess_z
     t17 = 2.0 * r_m
     sin_phi = xp.sin(phi)
     cos_phi = xp.cos(phi)
@@ -1549,9 +1558,9 @@ def forward(*, l, guess, f, d, r_b, r_m, phi, z_O=None, K_P=None, K_I=None, K_D=
     t19 = [None] * 3
     t20 = [None] * 3
     for leg in range(3):
-        t18[leg] = leg_constants_4[leg] * r_m
+        t18[leg] = leg_constants_3[leg] * r_m
         t19[leg] = l[leg] * l[leg]
-        t20[leg] = leg_constants_6[leg] * r_m
+        t20[leg] = leg_constants_4[leg] * r_m
     q_x = -(((t7 * t12) - (t6 * t9)) * t15)
     q_y = -(((t6 * t12) + (t7 * t9)) * t15)
     q_z = D_P_z
@@ -1561,105 +1570,106 @@ def forward(*, l, guess, f, d, r_b, r_m, phi, z_O=None, K_P=None, K_I=None, K_D=
         shrink = 1.0 / (1.0 + (t21 + t22))
         t23 = q_y + q_y
         t24 = (shrink * t23) * shrink
-        t25 = 2.0 - shrink
-        t26 = q_x + q_x
-        t27 = (shrink * t26) * shrink
-        t28 = [None] * 3
+        t25 = 4.0 * shrink
+        t26 = 2.0 - shrink
+        t27 = q_x + q_x
+        t28 = (shrink * t27) * shrink
         t29 = [None] * 3
-        closure = [None] * 3
         t30 = [None] * 3
+        closure = [None] * 3
+        t31 = [None] * 3
         for leg in range(3):
-            t31 = q_x * leg_constants[leg]
-            t32 = q_y * leg_constants_2[leg]
-            w_q = t31 + t32
-            t33 = leg_constants_3[leg] * w_q
-            t34 = (4.0 * w_q) * w_q
-            t35 = t24 - (((t33 + t33) * shrink) - (t34 * t24))
-            reach_q = (r_m * (t25 - (t34 * shrink))) - r_b
-            t36 = (r_m * t35) * reach_q
-            t37 = t17 * w_q
-            h_q = q_z - (t37 * shrink)
-            t38 = ((t18[leg] * shrink) - (t37 * t24)) * h_q
-            t28[leg] = (t36 + t36) - (t38 + t38)
-            t29[leg] = h_q + h_q
+            t32 = q_x * leg_constants[leg]
+            t33 = q_y * leg_constants_2[leg]
+            w_q = t32 + t33
+            t34 = leg_constants_2[leg] * w_q
+            t35 = 4.0 * (w_q * w_q)
+            t36 = t24 - ((t25 * (t34 + t34)) - (t35 * t24))
+            reach_q = (r_m * (t26 - (t35 * shrink))) - r_b
+            t37 = (r_m * t36) * reach_q
+            t38 = t17 * w_q
+            h_q = q_z - (t38 * shrink)
+            t39 = ((t18[leg] * shrink) - (t38 * t24)) * h_q
+            t29[leg] = (t37 + t37) - (t39 + t39)
+            t30[leg] = h_q + h_q
             closure[leg] = ((reach_q * reach_q) + (h_q * h_q)) - t19[leg]
-            t39 = leg_constants_5[leg] * w_q
-            t40 = t27 - (((t39 + t39) * shrink) - (t34 * t27))
-            t41 = (r_m * t40) * reach_q
-            t42 = ((t20[leg] * shrink) - (t37 * t27)) * h_q
-            t30[leg] = (t41 + t41) - (t42 + t42)
-        t43 = (t28[1] * t29[2]) - (t29[1] * t28[2])
-        t44 = (t43 * closure[0]) + (((t28[2] * t29[0]) - (t29[2] * t28[0])) * closure[1])
-        t45 = (t29[1] * t30[2]) - (t30[1] * t29[2])
-        t46 = (t30[1] * t28[2]) - (t28[1] * t30[2])
-        t47 = ((t30[0] * t43) + (t28[0] * t45)) + (t29[0] * t46)
-        t48 = 0.0 < xp.abs(t47)
-        t49 = call.select(t48, t47, 1.0)
-        t50 = 1.0 / t49
-        t51 = (t44 + (((t28[0] * t29[1]) - (t29[0] * t28[1])) * closure[2])) * t50
-        t52 = q_x - t51
-        t53 = t52 < (-2.0)
-        t54 = 2.0 < t52
-        t55 = call.select(t54, 2.0, t52)
-        t56 = call.select(t53, (-2.0), t55)
-        t57 = (t45 * closure[0]) + (((t29[2] * t30[0]) - (t30[2] * t29[0])) * closure[1])
-        t58 = (t57 + (((t29[0] * t30[1]) - (t30[0] * t29[1])) * closure[2])) * t50
-        t59 = q_y - t58
-        t60 = t59 < (-2.0)
-        t61 = 2.0 < t59
-        t62 = call.select(t61, 2.0, t59)
-        t63 = call.select(t60, (-2.0), t62)
-        t64 = (t46 * closure[0]) + (((t30[2] * t28[0]) - (t28[2] * t30[0])) * closure[1])
-        t65 = (t64 + (((t30[0] * t28[1]) - (t28[0] * t30[1])) * closure[2])) * t50
-        t66 = q_z - t65
-        t67 = t66 < 0.0
-        t68 = 2000.0 < t66
-        t69 = call.select(t68, 2000.0, t66)
-        t70 = call.select(t67, 0.0, t69)
-        q_x = t56
-        q_y = t63
-        q_z = t70
-    M_found_z = q_z
-    t71 = q_x * q_x
-    t72 = q_y * q_y
-    shrink_value = 1.0 / (1.0 + (t71 + t72))
-    t73 = (2.0 * q_x) * shrink_value
-    t74 = (2.0 * q_y) * shrink_value
-    t75 = 2.0 * shrink_value
-    H_R_found_33 = t75 - 1.0
-    t76 = 1.0 / t75
-    t77 = t73 * t76
-    t78 = 1.0 - (t77 * t73)
-    t79 = t77 * t74
-    t80 = sin_phi * t79
-    t81 = cos_phi * t79
-    H_R_found_21 = t81 - (sin_phi * t78)
-    t82 = 1.0 - ((t74 * t76) * t74)
-    H_R_found_12 = t81 + (sin_phi * t82)
-    H_R_found_22 = t80 - (cos_phi * t82)
-    H_R_found_13 = (sin_phi * t74) - (cos_phi * t73)
-    t83 = (r_m * (t72 - t71)) * shrink_value
-    t84 = ((t17 * q_x) * q_y) * shrink_value
-    M_found_x = H_T_P_p_x + ((sin_phi * t84) - (cos_phi * t83))
-    M_found_y = H_T_P_p_y - ((sin_phi * t83) + (cos_phi * t84))
-    t85 = 2.0 - shrink_value
-    t86 = 4.0 * shrink_value
-    t87 = t17 * shrink_value
+            t40 = leg_constants[leg] * w_q
+            t41 = t28 - ((t25 * (t40 + t40)) - (t35 * t28))
+            t42 = (r_m * t41) * reach_q
+            t43 = ((t20[leg] * shrink) - (t38 * t28)) * h_q
+            t31[leg] = (t42 + t42) - (t43 + t43)
+        t44 = (t29[1] * t30[2]) - (t30[1] * t29[2])
+        t45 = (t44 * closure[0]) + (((t29[2] * t30[0]) - (t30[2] * t29[0])) * closure[1])
+        t46 = (t30[1] * t31[2]) - (t31[1] * t30[2])
+        t47 = (t31[1] * t29[2]) - (t29[1] * t31[2])
+        t48 = ((t31[0] * t44) + (t29[0] * t46)) + (t30[0] * t47)
+        t49 = 0.0 < xp.abs(t48)
+        t50 = call.select(t49, t48, 1.0)
+        t51 = 1.0 / t50
+        t52 = (t45 + (((t29[0] * t30[1]) - (t30[0] * t29[1])) * closure[2])) * t51
+        t53 = q_x - t52
+        t54 = t53 < (-2.0)
+        t55 = 2.0 < t53
+        t56 = call.select(t55, 2.0, t53)
+        t57 = call.select(t54, (-2.0), t56)
+        t58 = (t46 * closure[0]) + (((t30[2] * t31[0]) - (t31[2] * t30[0])) * closure[1])
+        t59 = (t58 + (((t30[0] * t31[1]) - (t31[0] * t30[1])) * closure[2])) * t51
+        t60 = q_y - t59
+        t61 = t60 < (-2.0)
+        t62 = 2.0 < t60
+        t63 = call.select(t62, 2.0, t60)
+        t64 = call.select(t61, (-2.0), t63)
+        t65 = (t47 * closure[0]) + (((t31[2] * t29[0]) - (t29[2] * t31[0])) * closure[1])
+        t66 = (t65 + (((t31[0] * t29[1]) - (t29[0] * t31[1])) * closure[2])) * t51
+        t67 = q_z - t66
+        t68 = t67 < 0.0
+        t69 = 2000.0 < t67
+        t70 = call.select(t69, 2000.0, t67)
+        t71 = call.select(t68, 0.0, t70)
+        q_x = t57
+        q_y = t64
+        q_z = t71
+    M_q_z = q_z
+    t72 = q_x * q_x
+    t73 = q_y * q_y
+    shrink_value = 1.0 / (1.0 + (t72 + t73))
+    n_q_x = (2.0 * q_x) * shrink_value
+    n_q_y = (2.0 * q_y) * shrink_value
+    t74 = 2.0 * shrink_value
+    n_q_z = t74 - 1.0
+    t75 = 1.0 / t74
+    t76 = n_q_x * t75
+    t77 = 1.0 - (t76 * n_q_x)
+    t78 = t76 * n_q_y
+    t79 = sin_phi * t78
+    t80 = cos_phi * t78
+    H_R_found_21 = t80 - (sin_phi * t77)
+    t81 = 1.0 - ((n_q_y * t75) * n_q_y)
+    H_R_found_12 = t80 + (sin_phi * t81)
+    H_R_found_22 = t79 - (cos_phi * t81)
+    H_R_found_13 = (sin_phi * n_q_y) - (cos_phi * n_q_x)
+    M_q_x = (r_m * (t73 - t72)) * shrink_value
+    M_q_y = ((t17 * q_x) * q_y) * shrink_value
+    M_found_x = H_T_P_p_x + ((sin_phi * M_q_y) - (cos_phi * M_q_x))
+    M_found_y = H_T_P_p_y - ((sin_phi * M_q_x) + (cos_phi * M_q_y))
+    t82 = 2.0 - shrink_value
+    t83 = 4.0 * shrink_value
+    t84 = t17 * shrink_value
     lost = call.never
     for leg in range(3):
         w_q_value = (q_x * leg_constants[leg]) + (q_y * leg_constants_2[leg])
-        reach_q_value = (r_m * (t85 - (t86 * (w_q_value * w_q_value)))) - r_b
-        h_q_value = M_found_z - (t87 * w_q_value)
+        reach_q_value = (r_m * (t82 - (t83 * (w_q_value * w_q_value)))) - r_b
+        h_q_value = M_q_z - (t84 * w_q_value)
         closure_value = ((reach_q_value * reach_q_value) + (h_q_value * h_q_value)) - t19[leg]
-        t88 = xp.abs(closure_value) < (0.00001 * t19[leg])
-        t89 = xp.logical_not(t88)
-        lost = xp.logical_or(lost, t89)
+        t85 = xp.abs(closure_value) < (0.00001 * t19[leg])
+        t86 = xp.logical_not(t85)
+        lost = xp.logical_or(lost, t86)
     call.case(-4, lost)  # NOT_CONVERGED
     return ForwardResult(
-        H_R_M=call.array((3, 3), (-((cos_phi * t78) + t80), H_R_found_12, H_R_found_13,
-            H_R_found_21, H_R_found_22, -((sin_phi * t73) + (cos_phi * t74)), -t73, -t74,
-            H_R_found_33)),
-        M=call.array((3,), (M_found_x, M_found_y, M_found_z)),
+        H_R_M=call.array((3, 3), (-((cos_phi * t77) + t79), H_R_found_12, H_R_found_13,
+            H_R_found_21, H_R_found_22, -((sin_phi * n_q_x) + (cos_phi * n_q_y)), -n_q_x, -n_q_y,
+            n_q_z)),
+        M=call.array((3,), (M_found_x, M_found_y, M_q_z)),
         status=call.status,
     )
 
@@ -1676,7 +1686,7 @@ def static_forces(*, alpha, beta, mass, centre, f_d, n_d, g, f, d, r_b, r_m, z_O
     """Forces of the three rods that hold the facet against its weight and a disturbance, push
     positive.
 
-    343 flops (218 mul, 113 add, 8 div, 4 sqrt), 6 sin/cos, 0 atan2
+    345 flops (220 mul, 113 add, 8 div, 4 sqrt), 6 sin/cos, 0 atan2
 
     Args:
         alpha: azimuth of the dish's axis from the east, counter-clockwise, rad
@@ -1719,12 +1729,10 @@ def static_forces(*, alpha, beta, mass, centre, f_d, n_d, g, f, d, r_b, r_m, z_O
     xp = call.xp
     (alpha, beta, mass, centre_x, centre_y, centre_z, f_d_x, f_d_y, f_d_z, n_d_x, n_d_y, n_d_z, g,
         f, d, r_b, r_m, z_O, phi) = call.values
-    leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
-    leg_constants_3 = (4.0, -2.0, -2.0,)
-    leg_constants_4 = (2.0, -1.0, -1.0,)
-    leg_constants_5 = (0.0, 3.4641016151377544, -3.4641016151377544,)
-    leg_constants_6 = (0.0, 1.7320508075688772, -1.7320508075688772,)
+    leg_constants = (1.0, -0.5, -0.5)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386)
+    leg_constants_3 = (2.0, -1.0, -1.0)
+    leg_constants_4 = (0.0, 1.7320508075688772, -1.7320508075688772)
     t1 = (1.0e-6 * r_m) * r_m
     t2 = d * d
     t3 = 2.0 * f
@@ -1741,102 +1749,109 @@ def static_forces(*, alpha, beta, mass, centre, f_d, n_d, g, f, d, r_b, r_m, z_O
     cos_beta = xp.cos(beta)
     n_P_z = (cos_beta * t6) + (sin_beta * t9)
     t11 = (sin_beta * t6) - (cos_beta * t9)
-    t12 = (t8 * t11) - (t7 * t10)
-    t13 = (t7 * t11) + (t8 * t10)
-    t14 = 1.0 + n_P_z
-    t15 = 1.0e-6 < t14
-    face_down = xp.logical_not(t15)
-    lean = call.select(face_down, 1.0, t14)
-    t16 = 1.0 / lean
-    t17 = t12 * t16
+    a_x_z = (t8 * t11) - (t7 * t10)
+    a_y_z = (t7 * t11) + (t8 * t10)
+    t12 = 1.0 + n_P_z
+    t13 = 1.0e-6 < t12
+    face_down = xp.logical_not(t13)
+    lean = call.select(face_down, 1.0, t12)
+    t14 = 1.0 / lean
+    t15 = a_x_z * t14
+    t16 = t15 * t15
+    t17 = a_y_z * t14
     t18 = t17 * t17
-    t19 = t13 * t16
-    t20 = t19 * t19
-    shrink = 1.0 / (1.0 + (t18 + t20))
-    t21 = 2.0 - shrink
-    t22 = t17 + t17
-    t23 = (shrink * t22) * shrink
-    t24 = t2 / (4.0 * f)
-    D_P_z = ((cos_beta * t24) - (sin_beta * (t8 * d))) + z_O
-    t25 = 2.0 * r_m
-    t26 = r_m * shrink
-    t27 = 0.5 * (3.0 - n_P_z)
-    t28 = 2.0 * t16
-    t29 = t19 + t19
-    t30 = (shrink * t29) * shrink
+    shrink = 1.0 / (1.0 + (t16 + t18))
+    t19 = 2.0 - shrink
+    t20 = shrink * shrink
+    t21 = (2.0 * t15) * t20
+    t22 = 4.0 * shrink
+    t23 = t2 / (4.0 * f)
+    arm_D_z = (cos_beta * t23) - (sin_beta * (t8 * d))
+    D_P_z = arm_D_z + z_O
+    t24 = 2.0 * r_m
+    t25 = r_m * shrink
+    t26 = 0.5 * (3.0 - n_P_z)
+    t27 = 2.0 * t14
+    t28 = (2.0 * t17) * t20
     sin_phi = xp.sin(phi)
     cos_phi = xp.cos(phi)
-    t31 = (cos_phi * f_d_x) + (sin_phi * f_d_y)
-    t32 = (cos_phi * f_d_y) - (sin_phi * f_d_x)
-    t33 = mass * g
-    load_force_z = f_d_z - t33
-    t34 = r_m * (t20 - t18)
-    t35 = t25 * t17
-    t36 = t35 * t19
-    t37 = (
-        (t31 * (((r_m * t22) * shrink) + (t34 * t23))) + (t32 * ((t36 * t23) - ((t25 * t19) *
-        shrink)))
+    t29 = (cos_phi * f_d_x) + (sin_phi * f_d_y)
+    t30 = (cos_phi * f_d_y) - (sin_phi * f_d_x)
+    t31 = mass * g
+    load_force_z = f_d_z - t31
+    t32 = r_m * (t18 - t16)
+    v_x_x = ((r_m * (t15 + t15)) * shrink) + (t32 * t21)
+    t33 = t24 * t15
+    t34 = t33 * t17
+    v_x_y = (t34 * t21) - ((t24 * t17) * shrink)
+    a_x_x = 1.0 - (t15 * a_x_z)
+    t35 = t15 * a_y_z
+    a_y_y = 1.0 - (t17 * a_y_z)
+    t36 = ((centre_x * a_x_x) - (centre_y * t35)) - (centre_z * a_x_z)
+    t37 = ((centre_y * a_y_y) - (centre_x * t35)) - (centre_z * a_y_z)
+    load_moment_y = (t36 * t31) - ((cos_phi * n_d_y) - (sin_phi * n_d_x))
+    spin_x_y = 2.0 * shrink
+    spin_x_z = spin_x_y * t17
+    work_x = ((load_moment_y * spin_x_y) + (n_d_z * spin_x_z)) - ((t29 * v_x_x) + (t30 * v_x_y))
+    v_y_x = (t32 * t28) - ((r_m * (t17 + t17)) * shrink)
+    v_y_y = (t34 * t28) - (t33 * shrink)
+    t38 = (
+        ((((cos_phi * n_d_x) + (sin_phi * n_d_y)) + (t37 * t31)) * spin_x_y) - (n_d_z * (spin_x_y
+        * t15))
     )
-    t38 = t17 * t13
-    t39 = (centre_x * (1.0 - (t17 * t12))) - (centre_y * t38)
-    t40 = (centre_y * (1.0 - (t19 * t13))) - (centre_x * t38)
-    t41 = ((cos_phi * n_d_x) + (sin_phi * n_d_y)) + ((t40 - (centre_z * t13)) * t33)
-    load_moment_y = ((t39 - (centre_z * t12)) * t33) - ((cos_phi * n_d_y) - (sin_phi * n_d_x))
-    t42 = 2.0 * shrink
-    work_x = ((load_moment_y * t42) + (n_d_z * (t42 * t19))) - t37
-    t43 = (t31 * ((t34 * t30) - ((r_m * t29) * shrink))) + (t32 * ((t36 * t30) - (t35 * shrink)))
-    work_y = ((t41 * t42) - (n_d_z * (t42 * t17))) - t43
-    t44 = [None] * 3
-    t45 = [None] * 3
+    work_y = t38 - ((t29 * v_y_x) + (t30 * v_y_y))
+    t39 = [None] * 3
+    t40 = [None] * 3
     slope_z = [None] * 3
     no_rod = call.never
     for leg in range(3):
-        t46 = (t17 * leg_constants[leg]) + (t19 * leg_constants_2[leg])
-        t47 = (4.0 * t46) * t46
-        reach_q = (r_m * (t21 - (t47 * shrink))) - r_b
-        t48 = leg_constants_3[leg] * t46
-        t49 = r_m * (t23 + ((t47 * t23) - ((t48 + t48) * shrink)))
-        t50 = t25 * t46
-        h_q = D_P_z + (t50 * shrink)
-        t51 = (reach_q * t49) + (h_q * ((t26 * leg_constants_4[leg]) - (t50 * t23)))
-        t52 = (t12 * leg_constants[leg]) + (t13 * leg_constants_2[leg])
-        rho = r_m * (t27 - (t28 * (t52 * t52)))
+        t41 = (t15 * leg_constants[leg]) + (t17 * leg_constants_2[leg])
+        t42 = 4.0 * (t41 * t41)
+        reach_q = (r_m * (t19 - (t42 * shrink))) - r_b
+        t43 = leg_constants[leg] * t41
+        t44 = r_m * (t21 + ((t42 * t21) - (t22 * (t43 + t43))))
+        t45 = t24 * t41
+        h_q = D_P_z + (t45 * shrink)
+        t46 = (reach_q * t44) + (h_q * ((t25 * leg_constants_3[leg]) - (t45 * t21)))
+        t47 = (a_x_z * leg_constants[leg]) + (a_y_z * leg_constants_2[leg])
+        rho = r_m * (t26 - (t27 * (t47 * t47)))
         reach = rho - r_b
-        h = D_P_z + (r_m * t52)
+        h = D_P_z + (r_m * t47)
         l_rod = xp.sqrt((reach * reach) + (h * h))
-        t53 = 1.0e-6 < l_rod
-        length = call.select(t53, l_rod, 1.0e-6)
-        t54 = 1.0 / length
-        t44[leg] = t51 * t54
-        t55 = leg_constants_5[leg] * t46
-        t56 = r_m * (t30 + ((t47 * t30) - ((t55 + t55) * shrink)))
-        t57 = (reach_q * t56) + (h_q * ((t26 * leg_constants_6[leg]) - (t50 * t30)))
-        t45[leg] = t57 * t54
-        slope_z[leg] = h_q * t54
-        t58 = xp.logical_not(t53)
-        no_rod = xp.logical_or(no_rod, t58)
-    t59 = (t45[2] * slope_z[1]) - (t45[1] * slope_z[2])
-    t60 = (t45[0] * slope_z[2]) - (t45[2] * slope_z[0])
-    t61 = (t45[1] * slope_z[0]) - (t45[0] * slope_z[1])
-    t62 = ((t44[0] * t59) + (t44[1] * t60)) + (t44[2] * t61)
-    t63 = (t1 * t1) < (t62 * t62)
-    loose = xp.logical_not(t63)
-    t64 = (t59 * work_x) + (((slope_z[2] * t44[1]) - (slope_z[1] * t44[2])) * work_y)
-    t65 = call.select(loose, 1.0, (-t62))
-    t66 = 1.0 / t65
-    t67 = (t64 + (((t44[1] * t45[2]) - (t44[2] * t45[1])) * load_force_z)) * t66
-    t68 = call.select(loose, 0.0, (-t67))
-    t69 = (t60 * work_x) + (((slope_z[0] * t44[2]) - (slope_z[2] * t44[0])) * work_y)
-    t70 = (t69 + (((t44[2] * t45[0]) - (t44[0] * t45[2])) * load_force_z)) * t66
-    t71 = call.select(loose, 0.0, (-t70))
-    t72 = (t61 * work_x) + (((slope_z[1] * t44[0]) - (slope_z[0] * t44[1])) * work_y)
-    t73 = (t72 + (((t44[0] * t45[1]) - (t44[1] * t45[0])) * load_force_z)) * t66
-    t74 = call.select(loose, 0.0, (-t73))
+        t48 = 1.0e-6 < l_rod
+        length = call.select(t48, l_rod, 1.0e-6)
+        t49 = 1.0 / length
+        t39[leg] = t46 * t49
+        t50 = leg_constants_2[leg] * t41
+        t51 = r_m * (t28 + ((t42 * t28) - (t22 * (t50 + t50))))
+        t52 = (reach_q * t51) + (h_q * ((t25 * leg_constants_4[leg]) - (t45 * t28)))
+        t40[leg] = t52 * t49
+        slope_z[leg] = h * t49
+        t53 = xp.logical_not(t48)
+        no_rod = xp.logical_or(no_rod, t53)
+    rods_z_x = slope_z[0]
+    rods_z_y = slope_z[1]
+    rods_z_z = slope_z[2]
+    t54 = (t40[2] * rods_z_y) - (t40[1] * rods_z_z)
+    t55 = (t40[0] * rods_z_z) - (t40[2] * rods_z_x)
+    t56 = (t40[1] * rods_z_x) - (t40[0] * rods_z_y)
+    t57 = ((t39[0] * t54) + (t39[1] * t55)) + (t39[2] * t56)
+    t58 = (t1 * t1) < (t57 * t57)
+    loose = xp.logical_not(t58)
+    t59 = call.select(loose, 1.0, (-t57))
+    t60 = 1.0 / t59
+    inverse = call.select(loose, 0.0, t60)
+    t61 = (work_x * t54) + (work_y * ((rods_z_z * t39[1]) - (rods_z_y * t39[2])))
+    t62 = (work_x * t55) + (work_y * ((rods_z_x * t39[2]) - (rods_z_z * t39[0])))
+    t63 = (work_x * t56) + (work_y * ((rods_z_y * t39[0]) - (rods_z_x * t39[1])))
+    t64 = inverse * (t61 + (load_force_z * ((t39[1] * t40[2]) - (t39[2] * t40[1]))))
+    t65 = inverse * (t62 + (load_force_z * ((t39[2] * t40[0]) - (t39[0] * t40[2]))))
+    t66 = inverse * (t63 + (load_force_z * ((t39[0] * t40[1]) - (t39[1] * t40[0]))))
     call.case(2, loose)  # SINGULAR
     call.case(-3, face_down)  # UNREACHABLE
     call.case(-3, no_rod)  # UNREACHABLE
     return StaticForcesResult(
-        F=call.array((3,), (t68, t71, t74)),
+        F=call.array((3,), (-t64, -t65, -t66)),
         status=call.status,
     )
 
@@ -1882,50 +1897,51 @@ def central_ray(*, alpha, beta, f, d, r_m, z_O, phi, r_b=None, K_P=None, K_I=Non
     )
     xp = call.xp
     (alpha, beta, f, d, r_m, z_O, phi) = call.values
+    psi = alpha - phi
     sin_beta = xp.sin(beta)
     c_P_z = xp.cos(beta)
-    psi = alpha - phi
     t1 = xp.sin(psi)
     t2 = xp.cos(psi)
-    t3 = t2 * sin_beta
-    t4 = t1 * sin_beta
-    t5 = d * d
-    t6 = 2.0 * f
-    slope_length = xp.sqrt(t5 + (t6 * t6))
-    t7 = 1.0 / slope_length
-    t8 = t7 * d
-    t9 = t7 * t6
-    t10 = c_P_z * t2
-    t11 = (t2 * t10) + (t1 * t1)
-    t12 = t1 * (t10 - t2)
-    t13 = (t9 * t3) - (t8 * t11)
-    t14 = (t9 * t4) - (t8 * t12)
-    n_P_z = (t8 * t3) + (t9 * c_P_z)
-    t15 = 2.0 * (((t3 * t13) + (t4 * t14)) + (c_P_z * n_P_z))
-    ray_x = t3 - (t15 * t13)
-    ray_y = t4 - (t15 * t14)
-    ray_z = (t15 * n_P_z) - c_P_z
-    t16 = 1.0 + n_P_z
-    t17 = 1.0e-6 < t16
-    face_down = xp.logical_not(t17)
-    lean = call.select(face_down, 1.0, t16)
-    x_M = (r_m * ((t14 * t14) - (t13 * t13))) / (2.0 * lean)
-    t18 = t5 / (4.0 * f)
-    D_P_x = d - ((d * t11) + (t18 * t3))
-    D_P_z = ((t18 * c_P_z) - (d * t3)) + z_O
+    t3 = t2 * c_P_z
+    t4 = t2 * sin_beta
+    t5 = t1 * sin_beta
+    t6 = d * d
+    t7 = 2.0 * f
+    slope_length = xp.sqrt(t6 + (t7 * t7))
+    t8 = 1.0 / slope_length
+    t9 = t8 * d
+    t10 = t8 * t7
+    t11 = (t2 * t3) + (t1 * t1)
+    t12 = t1 * (t3 - t2)
+    n_P_x = (t9 * t11) - (t10 * t4)
+    n_P_y = (t9 * t12) - (t10 * t5)
+    n_P_z = (t9 * t4) + (t10 * c_P_z)
+    t13 = 2.0 * ((c_P_z * n_P_z) - ((t4 * n_P_x) + (t5 * n_P_y)))
+    ray_x = (t13 * n_P_x) + t4
+    ray_y = (t13 * n_P_y) + t5
+    ray_z = (t13 * n_P_z) - c_P_z
+    t14 = 1.0 + n_P_z
+    t15 = 1.0e-6 < t14
+    face_down = xp.logical_not(t15)
+    lean = call.select(face_down, 1.0, t14)
+    x_M = (r_m * ((n_P_y * n_P_y) - (n_P_x * n_P_x))) / (2.0 * lean)
+    t16 = t6 / (4.0 * f)
+    arm_D_z = (t16 * c_P_z) - (d * t4)
+    D_P_x = d - ((d * t11) + (t16 * t4))
+    D_P_z = arm_D_z + z_O
     off_P_x = x_M - D_P_x
-    y_M = ((r_m * t13) * t14) / lean
-    off_P_y = y_M + ((d * t12) + (t18 * t4))
-    t19 = ray_z * off_P_y
-    t20 = ray_z * off_P_x
-    t21 = (ray_x * off_P_y) - (ray_y * off_P_x)
-    miss = xp.sqrt(((t19 * t19) + (t20 * t20)) + (t21 * t21))
-    focus_x = d - (f * t3)
+    y_M = ((r_m * n_P_x) * n_P_y) / lean
+    off_P_y = y_M + ((d * t12) + (t16 * t5))
+    t17 = ray_z * off_P_y
+    t18 = ray_z * off_P_x
+    t19 = (ray_x * off_P_y) - (ray_y * off_P_x)
+    miss = xp.sqrt(((t17 * t17) + (t18 * t18)) + (t19 * t19))
+    focus_x = d - (f * t4)
     focus_z = z_O + (f * c_P_z)
     way_x = focus_x - x_M
     way_z = focus_z - D_P_z
-    t22 = ((ray_x * way_x) - (ray_y * ((f * t4) + y_M))) + (ray_z * way_z)
-    miss_angle = xp.atan2(miss, t22)
+    t20 = ((ray_x * way_x) - (ray_y * ((f * t5) + y_M))) + (ray_z * way_z)
+    miss_angle = xp.atan2(miss, t20)
     call.case(-3, face_down)  # UNREACHABLE
     return CentralRayResult(
         miss=call.array((), (miss,)),
@@ -1962,7 +1978,7 @@ def aim_at_receiver(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None
         K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C: accepted and not read
 
     Returns:
-        H_R_M: rotation of a facet that aims at the receiver, shape (..., 3, 3)
+        H_R_M: rotation of a facet that aims at the receiver: its axes in {H}, shape (..., 3, 3)
         M: point of a facet that aims at the receiver, {H}, m, shape (..., 3)
         l: length of rod i of a facet that aims at the receiver, m, shape (..., 3)
         status -3 (UNREACHABLE): the facet hangs face down
@@ -1981,8 +1997,8 @@ def aim_at_receiver(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None
     )
     xp = call.xp
     (alpha, beta, f, d, r_b, r_m, z_O, phi) = call.values
-    leg_constants = (1.0, -0.5, -0.5,)
-    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386,)
+    leg_constants = (1.0, -0.5, -0.5)
+    leg_constants_2 = (0.0, 0.8660254037844386, -0.8660254037844386)
     t1 = d * d
     t2 = 2.0 * f
     slope_length = xp.sqrt(t1 + (t2 * t2))
@@ -1996,8 +2012,9 @@ def aim_at_receiver(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None
     t9 = t6 * t4
     sin_beta = xp.sin(beta)
     c_P_z = xp.cos(beta)
+    n_P_z = (c_P_z * t5) + (sin_beta * t8)
     t10 = (sin_beta * t5) - (c_P_z * t8)
-    t11 = 1.0 + ((c_P_z * t5) + (sin_beta * t8))
+    t11 = 1.0 + n_P_z
     t12 = 1.0e-6 < t11
     face_down = xp.logical_not(t12)
     lean = call.select(face_down, 1.0, t11)
@@ -2009,7 +2026,8 @@ def aim_at_receiver(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None
     focus_z = z_O + (f * c_P_z)
     t17 = 2.0 * r_m
     t18 = t1 / (4.0 * f)
-    D_P_z = ((t18 * c_P_z) - (d * t14)) + z_O
+    arm_D_z = (t18 * c_P_z) - (d * t14)
+    D_P_z = arm_D_z + z_O
     way_q_z = focus_z - D_P_z
     t19 = way_q_z * way_q_z
     sin_phi = xp.sin(phi)
@@ -2088,55 +2106,55 @@ def aim_at_receiver(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None
     t76 = q_x * q_x
     t77 = q_y * q_y
     shrink_value = 1.0 / (1.0 + (t76 + t77))
-    t78 = (2.0 * q_x) * shrink_value
-    t79 = (2.0 * q_y) * shrink_value
-    t80 = 2.0 * shrink_value
-    H_R_aimed_33 = t80 - 1.0
-    t81 = 1.0 / t80
-    t82 = t78 * t81
-    t83 = 1.0 - (t82 * t78)
-    t84 = t82 * t79
-    t85 = sin_phi * t84
-    t86 = cos_phi * t84
-    H_R_aimed_21 = t86 - (sin_phi * t83)
-    t87 = 1.0 - ((t79 * t81) * t79)
-    H_R_aimed_12 = t86 + (sin_phi * t87)
-    H_R_aimed_22 = t85 - (cos_phi * t87)
-    H_R_aimed_13 = (sin_phi * t79) - (cos_phi * t78)
+    n_q_x = (2.0 * q_x) * shrink_value
+    n_q_y = (2.0 * q_y) * shrink_value
+    t78 = 2.0 * shrink_value
+    n_q_z = t78 - 1.0
+    t79 = 1.0 / t78
+    t80 = n_q_x * t79
+    t81 = 1.0 - (t80 * n_q_x)
+    t82 = t80 * n_q_y
+    t83 = sin_phi * t82
+    t84 = cos_phi * t82
+    H_R_aimed_21 = t84 - (sin_phi * t81)
+    t85 = 1.0 - ((n_q_y * t79) * n_q_y)
+    H_R_aimed_12 = t84 + (sin_phi * t85)
+    H_R_aimed_22 = t83 - (cos_phi * t85)
+    H_R_aimed_13 = (sin_phi * n_q_y) - (cos_phi * n_q_x)
     M_q_x_value = (r_m * (t77 - t76)) * shrink_value
     M_q_y_value = ((t17 * q_x) * q_y) * shrink_value
     M_aimed_x = H_T_P_p_x + ((sin_phi * M_q_y_value) - (cos_phi * M_q_x_value))
     M_aimed_y = H_T_P_p_y - ((sin_phi * M_q_x_value) + (cos_phi * M_q_y_value))
-    t88 = 2.0 - shrink_value
-    t89 = 4.0 * shrink_value
-    t90 = t17 * shrink_value
+    t86 = 2.0 - shrink_value
+    t87 = 4.0 * shrink_value
+    t88 = t17 * shrink_value
     way_q_x_value = focus_x - M_q_x_value
-    t91 = t16 + M_q_y_value
-    t92 = xp.sqrt(((way_q_x_value * way_q_x_value) + (t91 * t91)) + t19)
-    m_x_value = way_q_x_value - (t92 * t14)
-    t93 = t91 + (t92 * t15)
-    m_z_value = way_q_z + (t92 * c_P_z)
-    t94 = xp.sqrt(((m_x_value * m_x_value) + (t93 * t93)) + (m_z_value * m_z_value))
-    t95 = t94 + m_z_value
-    off_x_value = (q_x * t95) - m_x_value
-    t96 = 0.00001 * t94
-    t97 = xp.abs(off_x_value) < t96
-    off_y_value = (q_y * t95) + t93
-    t98 = xp.abs(off_y_value) < t96
-    t99 = xp.logical_and(t97, t98)
-    astray = xp.logical_not(t99)
+    t89 = t16 + M_q_y_value
+    t90 = xp.sqrt(((way_q_x_value * way_q_x_value) + (t89 * t89)) + t19)
+    m_x_value = way_q_x_value - (t90 * t14)
+    t91 = t89 + (t90 * t15)
+    m_z_value = way_q_z + (t90 * c_P_z)
+    m_size = xp.sqrt(((m_x_value * m_x_value) + (t91 * t91)) + (m_z_value * m_z_value))
+    t92 = m_size + m_z_value
+    off_x_value = (q_x * t92) - m_x_value
+    t93 = 0.00001 * m_size
+    t94 = xp.abs(off_x_value) < t93
+    off_y_value = (q_y * t92) + t91
+    t95 = xp.abs(off_y_value) < t93
+    t96 = xp.logical_and(t94, t95)
+    astray = xp.logical_not(t96)
     l_aimed = [None] * 3
     for leg in range(3):
         w_q = (q_x * leg_constants[leg]) + (q_y * leg_constants_2[leg])
-        reach_q = (r_m * (t88 - (t89 * (w_q * w_q)))) - r_b
-        h_q = D_P_z - (t90 * w_q)
+        reach_q = (r_m * (t86 - (t87 * (w_q * w_q)))) - r_b
+        h_q = D_P_z - (t88 * w_q)
         l_aimed[leg] = xp.sqrt((reach_q * reach_q) + (h_q * h_q))
     call.case(-4, astray)  # NOT_CONVERGED
     call.case(-3, face_down)  # UNREACHABLE
     return AimAtReceiverResult(
-        H_R_M=call.array((3, 3), (-((cos_phi * t83) + t85), H_R_aimed_12, H_R_aimed_13,
-            H_R_aimed_21, H_R_aimed_22, -((sin_phi * t78) + (cos_phi * t79)), -t78, -t79,
-            H_R_aimed_33)),
+        H_R_M=call.array((3, 3), (-((cos_phi * t81) + t83), H_R_aimed_12, H_R_aimed_13,
+            H_R_aimed_21, H_R_aimed_22, -((sin_phi * n_q_x) + (cos_phi * n_q_y)), -n_q_x, -n_q_y,
+            n_q_z)),
         M=call.array((3,), (M_aimed_x, M_aimed_y, D_P_z)),
         l=call.array((3,), (l_aimed[0], l_aimed[1], l_aimed[2])),
         status=call.status,

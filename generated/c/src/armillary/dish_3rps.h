@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_DISH_3RPS_ABI 0x95989627UL
+#define ARMILLARY_DISH_3RPS_ABI 0x873b4442UL
 
 #ifdef __cplusplus
 extern "C" {
@@ -151,7 +151,7 @@ int dish_3rps_rod_lengths_f32(const dish_3rps_params_f32 *p, float alpha, float 
 /**
  * @brief Lengths of the rods of four facets, at 0, 90, 180 and 270 degrees; phi is not used.
  *
- * Cost: 322 flops (190 mul, 113 add, 6 div, 13 sqrt), 4 sin/cos, 0 atan2.
+ * Cost: 286 flops (166 mul, 101 add, 6 div, 13 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: phi, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -168,7 +168,7 @@ int dish_3rps_rod_lengths_all_f32(
 /**
  * @brief Rates of the three rods of one facet.
  *
- * Cost: 161 flops (99 mul, 52 add, 6 div, 4 sqrt), 4 sin/cos, 0 atan2.
+ * Cost: 158 flops (94 mul, 54 add, 6 div, 4 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -192,7 +192,7 @@ int dish_3rps_rod_rates_f32(
 /**
  * @brief Velocity of the facet's point and angular velocity of the facet, in {H}.
  *
- * Cost: 106 flops (71 mul, 30 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 108 flops (71 mul, 32 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -235,7 +235,7 @@ int dish_3rps_jacobian_a_f32(
 /**
  * @brief Jacobian from the rates of alpha, beta and z_O to the facet's twist about its point.
  *
- * Cost: 137 flops (93 mul, 39 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 149 flops (100 mul, 44 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -289,7 +289,7 @@ int dish_3rps_jacobian_passive_f32(
 /**
  * @brief Rates of the three hinges of one facet.
  *
- * Cost: 164 flops (102 mul, 52 add, 6 div, 4 sqrt), 4 sin/cos, 0 atan2.
+ * Cost: 161 flops (97 mul, 54 add, 6 div, 4 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -349,15 +349,15 @@ int dish_3rps_revolute_angles_f32(
  * @brief Rotation and point of the facet on rods of the lengths given, by eight steps of
  *     Newton's method from a guess.
  *
- * Cost: 1799 flops (1029 mul, 748 add, 21 div, 1 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 1807 flops (1037 mul, 748 add, 21 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] l length of rod i, for each leg, m, refused outside [0, 1000], working range [2, 4]
  * @param[in] guess where the search starts: alpha and beta in rad and z_O in m, refused outside
  *     [-1000, 1000], working range [0, 1.5]
- * @param[out] H_R_M rotation of the facet on rods of the lengths given, 3 by 3, row-major
- *     (dish_3rps-H_R_found)
- * @param[out] M the facet's point on rods of the lengths given, {H}, m (dish_3rps-M_found)
+ * @param[out] H_R_M rotation of the facet on rods of the lengths given: its axes in {H}, 3 by 3,
+ *     row-major (dish_3rps-H_R_found)
+ * @param[out] M point of the facet on rods of the lengths given, {H}, m (dish_3rps-M_found)
  * @return ARMILLARY_OK, ARMILLARY_NOT_CONVERGED, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   NOT_CONVERGED: the search did not end on rods of these lengths
  */
@@ -369,7 +369,7 @@ int dish_3rps_forward_f32(
  * @brief Forces of the three rods that hold the facet against its weight and a disturbance, push
  *     positive.
  *
- * Cost: 343 flops (218 mul, 113 add, 8 div, 4 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 345 flops (220 mul, 113 add, 8 div, 4 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -424,8 +424,8 @@ int dish_3rps_central_ray_f32(
  *     outside [-1000, 1000], working range [-3.2, 3.2]
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
  *     working range [0, 1.4]
- * @param[out] H_R_M rotation of a facet that aims at the receiver, 3 by 3, row-major
- *     (dish_3rps-H_R_aimed)
+ * @param[out] H_R_M rotation of a facet that aims at the receiver: its axes in {H}, 3 by 3,
+ *     row-major (dish_3rps-H_R_aimed)
  * @param[out] M point of a facet that aims at the receiver, {H}, m (dish_3rps-M_aimed)
  * @param[out] l length of rod i of a facet that aims at the receiver, for each leg, m
  *     (dish_3rps-l_aimed)
@@ -619,7 +619,7 @@ int dish_3rps_rod_lengths_f64(
 /**
  * @brief Lengths of the rods of four facets, at 0, 90, 180 and 270 degrees; phi is not used.
  *
- * Cost: 322 flops (190 mul, 113 add, 6 div, 13 sqrt), 4 sin/cos, 0 atan2.
+ * Cost: 286 flops (166 mul, 101 add, 6 div, 13 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: phi, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -636,7 +636,7 @@ int dish_3rps_rod_lengths_all_f64(
 /**
  * @brief Rates of the three rods of one facet.
  *
- * Cost: 161 flops (99 mul, 52 add, 6 div, 4 sqrt), 4 sin/cos, 0 atan2.
+ * Cost: 158 flops (94 mul, 54 add, 6 div, 4 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -660,7 +660,7 @@ int dish_3rps_rod_rates_f64(
 /**
  * @brief Velocity of the facet's point and angular velocity of the facet, in {H}.
  *
- * Cost: 106 flops (71 mul, 30 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 108 flops (71 mul, 32 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -703,7 +703,7 @@ int dish_3rps_jacobian_a_f64(
 /**
  * @brief Jacobian from the rates of alpha, beta and z_O to the facet's twist about its point.
  *
- * Cost: 137 flops (93 mul, 39 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 149 flops (100 mul, 44 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -757,7 +757,7 @@ int dish_3rps_jacobian_passive_f64(
 /**
  * @brief Rates of the three hinges of one facet.
  *
- * Cost: 164 flops (102 mul, 52 add, 6 div, 4 sqrt), 4 sin/cos, 0 atan2.
+ * Cost: 161 flops (97 mul, 54 add, 6 div, 4 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -818,15 +818,15 @@ int dish_3rps_revolute_angles_f64(
  * @brief Rotation and point of the facet on rods of the lengths given, by eight steps of
  *     Newton's method from a guess.
  *
- * Cost: 1799 flops (1029 mul, 748 add, 21 div, 1 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 1807 flops (1037 mul, 748 add, 21 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] l length of rod i, for each leg, m, refused outside [0, 1000], working range [2, 4]
  * @param[in] guess where the search starts: alpha and beta in rad and z_O in m, refused outside
  *     [-1000, 1000], working range [0, 1.5]
- * @param[out] H_R_M rotation of the facet on rods of the lengths given, 3 by 3, row-major
- *     (dish_3rps-H_R_found)
- * @param[out] M the facet's point on rods of the lengths given, {H}, m (dish_3rps-M_found)
+ * @param[out] H_R_M rotation of the facet on rods of the lengths given: its axes in {H}, 3 by 3,
+ *     row-major (dish_3rps-H_R_found)
+ * @param[out] M point of the facet on rods of the lengths given, {H}, m (dish_3rps-M_found)
  * @return ARMILLARY_OK, ARMILLARY_NOT_CONVERGED, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   NOT_CONVERGED: the search did not end on rods of these lengths
  */
@@ -838,7 +838,7 @@ int dish_3rps_forward_f64(
  * @brief Forces of the three rods that hold the facet against its weight and a disturbance, push
  *     positive.
  *
- * Cost: 343 flops (218 mul, 113 add, 8 div, 4 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 345 flops (220 mul, 113 add, 8 div, 4 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]
@@ -893,8 +893,8 @@ int dish_3rps_central_ray_f64(
  *     outside [-1000, 1000], working range [-3.2, 3.2]
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
  *     working range [0, 1.4]
- * @param[out] H_R_M rotation of a facet that aims at the receiver, 3 by 3, row-major
- *     (dish_3rps-H_R_aimed)
+ * @param[out] H_R_M rotation of a facet that aims at the receiver: its axes in {H}, 3 by 3,
+ *     row-major (dish_3rps-H_R_aimed)
  * @param[out] M point of a facet that aims at the receiver, {H}, m (dish_3rps-M_aimed)
  * @param[out] l length of rod i of a facet that aims at the receiver, for each leg, m
  *     (dish_3rps-l_aimed)

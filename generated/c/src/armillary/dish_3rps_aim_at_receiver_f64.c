@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x95989627UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x873b4442UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -67,8 +67,9 @@ int dish_3rps_aim_at_receiver_f64(
     const double t9 = t6 * t4;
     const double sin_beta = sin(beta);
     const double c_P_z = cos(beta); /* dish_3rps-c_P */
+    const double n_P_z = (c_P_z * t5) + (sin_beta * t8); /* dish_3rps-n_P */
     const double t10 = (sin_beta * t5) - (c_P_z * t8);
-    const double t11 = 1.0 + ((c_P_z * t5) + (sin_beta * t8));
+    const double t11 = 1.0 + n_P_z;
     const int t12 = 1.0e-6 < t11;
     const int face_down = !t12; /* dish_3rps-face_down */
     const double lean = face_down ? 1.0 : t11; /* dish_3rps-lean */
@@ -80,8 +81,9 @@ int dish_3rps_aim_at_receiver_f64(
     const double focus_z = z_O + (f * c_P_z); /* dish_3rps-focus */
     const double t17 = 2.0 * r_m;
     const double t18 = t1 / (4.0 * f);
-    /* dish_3rps-D_P, dish_3rps-z_M, dish_3rps-M_q, dish_3rps-M_aimed */
-    const double D_P_z = ((t18 * c_P_z) - (d * t14)) + z_O;
+    const double arm_D_z = (t18 * c_P_z) - (d * t14); /* dish_3rps-arm_D */
+    /* dish_3rps-D_P, dish_3rps-z_M, dish_3rps-M_q, dish_3rps-M_P_aimed, dish_3rps-M_aimed */
+    const double D_P_z = arm_D_z + z_O;
     const double way_q_z = focus_z - D_P_z; /* dish_3rps-way_q */
     const double t19 = way_q_z * way_q_z;
     const double sin_phi = sin(phi);
@@ -160,52 +162,56 @@ int dish_3rps_aim_at_receiver_f64(
     }
     const double t76 = q_x * q_x;
     const double t77 = q_y * q_y;
-    const double shrink_value = 1.0 / (1.0 + (t76 + t77)); /* dish_3rps-shrink */
-    const double t78 = (2.0 * q_x) * shrink_value;
-    const double t79 = (2.0 * q_y) * shrink_value;
-    const double t80 = 2.0 * shrink_value;
-    const double H_R_aimed_33 = t80 - 1.0; /* dish_3rps-H_R_aimed */
-    const double t81 = 1.0 / t80;
-    const double t82 = t78 * t81;
-    const double t83 = 1.0 - (t82 * t78);
-    const double t84 = t82 * t79;
-    const double t85 = sin_phi * t84;
-    const double t86 = cos_phi * t84;
-    const double H_R_aimed_21 = t86 - (sin_phi * t83); /* dish_3rps-H_R_aimed */
-    const double t87 = 1.0 - ((t79 * t81) * t79);
-    const double H_R_aimed_12 = t86 + (sin_phi * t87); /* dish_3rps-H_R_aimed */
-    const double H_R_aimed_22 = t85 - (cos_phi * t87); /* dish_3rps-H_R_aimed */
-    const double H_R_aimed_13 = (sin_phi * t79) - (cos_phi * t78); /* dish_3rps-H_R_aimed */
-    const double M_q_x_value = (r_m * (t77 - t76)) * shrink_value; /* dish_3rps-M_q */
-    const double M_q_y_value = ((t17 * q_x) * q_y) * shrink_value; /* dish_3rps-M_q */
+    /* dish_3rps-shrink, dish_3rps-shrink_aimed */
+    const double shrink_value = 1.0 / (1.0 + (t76 + t77));
+    const double n_q_x = (2.0 * q_x) * shrink_value; /* dish_3rps-n_q, dish_3rps-n_aimed */
+    const double n_q_y = (2.0 * q_y) * shrink_value; /* dish_3rps-n_q, dish_3rps-n_aimed */
+    const double t78 = 2.0 * shrink_value;
+    const double n_q_z = t78 - 1.0; /* dish_3rps-n_q, dish_3rps-n_aimed, dish_3rps-H_R_aimed */
+    const double t79 = 1.0 / t78;
+    const double t80 = n_q_x * t79;
+    const double t81 = 1.0 - (t80 * n_q_x);
+    const double t82 = t80 * n_q_y;
+    const double t83 = sin_phi * t82;
+    const double t84 = cos_phi * t82;
+    const double H_R_aimed_21 = t84 - (sin_phi * t81); /* dish_3rps-H_R_aimed */
+    const double t85 = 1.0 - ((n_q_y * t79) * n_q_y);
+    const double H_R_aimed_12 = t84 + (sin_phi * t85); /* dish_3rps-H_R_aimed */
+    const double H_R_aimed_22 = t83 - (cos_phi * t85); /* dish_3rps-H_R_aimed */
+    const double H_R_aimed_13 = (sin_phi * n_q_y) - (cos_phi * n_q_x); /* dish_3rps-H_R_aimed */
+    /* dish_3rps-M_q, dish_3rps-M_P_aimed */
+    const double M_q_x_value = (r_m * (t77 - t76)) * shrink_value;
+    /* dish_3rps-M_q, dish_3rps-M_P_aimed */
+    const double M_q_y_value = ((t17 * q_x) * q_y) * shrink_value;
     /* dish_3rps-M_aimed */
     const double M_aimed_x = H_T_P_p_x + ((sin_phi * M_q_y_value) - (cos_phi * M_q_x_value));
     /* dish_3rps-M_aimed */
     const double M_aimed_y = H_T_P_p_y - ((sin_phi * M_q_x_value) + (cos_phi * M_q_y_value));
-    const double t88 = 2.0 - shrink_value;
-    const double t89 = 4.0 * shrink_value;
-    const double t90 = t17 * shrink_value;
+    const double t86 = 2.0 - shrink_value;
+    const double t87 = 4.0 * shrink_value;
+    const double t88 = t17 * shrink_value;
     const double way_q_x_value = focus_x - M_q_x_value; /* dish_3rps-way_q */
-    const double t91 = t16 + M_q_y_value;
-    const double t92 = sqrt(((way_q_x_value * way_q_x_value) + (t91 * t91)) + t19);
-    const double m_x_value = way_q_x_value - (t92 * t14); /* dish_3rps-m */
-    const double t93 = t91 + (t92 * t15);
-    const double m_z_value = way_q_z + (t92 * c_P_z); /* dish_3rps-m */
-    const double t94 = sqrt(((m_x_value * m_x_value) + (t93 * t93)) + (m_z_value * m_z_value));
-    const double t95 = t94 + m_z_value;
-    const double off_x_value = (q_x * t95) - m_x_value; /* dish_3rps-off_x */
-    const double t96 = 0.00001 * t94;
-    const int t97 = fabs(off_x_value) < t96;
-    const double off_y_value = (q_y * t95) + t93; /* dish_3rps-off_y */
-    const int t98 = fabs(off_y_value) < t96;
-    const int t99 = t97 && t98;
-    const int astray = !t99; /* dish_3rps-astray */
+    const double t89 = t16 + M_q_y_value;
+    const double t90 = sqrt(((way_q_x_value * way_q_x_value) + (t89 * t89)) + t19);
+    const double m_x_value = way_q_x_value - (t90 * t14); /* dish_3rps-m */
+    const double t91 = t89 + (t90 * t15);
+    const double m_z_value = way_q_z + (t90 * c_P_z); /* dish_3rps-m */
+    /* dish_3rps-m_size */
+    const double m_size = sqrt(((m_x_value * m_x_value) + (t91 * t91)) + (m_z_value * m_z_value));
+    const double t92 = m_size + m_z_value;
+    const double off_x_value = (q_x * t92) - m_x_value; /* dish_3rps-off_x, dish_3rps-left_x */
+    const double t93 = 0.00001 * m_size;
+    const int t94 = fabs(off_x_value) < t93;
+    const double off_y_value = (q_y * t92) + t91; /* dish_3rps-off_y, dish_3rps-left_y */
+    const int t95 = fabs(off_y_value) < t93;
+    const int t96 = t94 && t95;
+    const int astray = !t96; /* dish_3rps-astray */
     double l_aimed[3];
     for (int leg = 0; leg < 3; ++leg) {
       /* dish_3rps-w_q */
       const double w_q = (q_x * leg_constants[leg]) + (q_y * leg_constants_2[leg]);
-      const double reach_q = (r_m * (t88 - (t89 * (w_q * w_q)))) - r_b; /* dish_3rps-reach_q */
-      const double h_q = D_P_z - (t90 * w_q); /* dish_3rps-h_q */
+      const double reach_q = (r_m * (t86 - (t87 * (w_q * w_q)))) - r_b; /* dish_3rps-reach_q */
+      const double h_q = D_P_z - (t88 * w_q); /* dish_3rps-h_q */
       l_aimed[leg] = sqrt((reach_q * reach_q) + (h_q * h_q)); /* dish_3rps-l_aimed */
     }
     if (face_down) {
@@ -215,15 +221,15 @@ int dish_3rps_aim_at_receiver_f64(
       status = ARMILLARY_NOT_CONVERGED;
     }
     if (status >= 0) {
-      H_R_M[0] = -((cos_phi * t83) + t85);
+      H_R_M[0] = -((cos_phi * t81) + t83);
       H_R_M[1] = H_R_aimed_12;
       H_R_M[2] = H_R_aimed_13;
       H_R_M[3] = H_R_aimed_21;
       H_R_M[4] = H_R_aimed_22;
-      H_R_M[5] = -((sin_phi * t78) + (cos_phi * t79));
-      H_R_M[6] = -t78;
-      H_R_M[7] = -t79;
-      H_R_M[8] = H_R_aimed_33;
+      H_R_M[5] = -((sin_phi * n_q_x) + (cos_phi * n_q_y));
+      H_R_M[6] = -n_q_x;
+      H_R_M[7] = -n_q_y;
+      H_R_M[8] = n_q_z;
       M[0] = M_aimed_x;
       M[1] = M_aimed_y;
       M[2] = D_P_z;

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x95989627UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x873b4442UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -45,53 +45,53 @@ int dish_3rps_central_ray_f32(
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {
+    const float psi = alpha - phi; /* dish_3rps-psi */
     const float sin_beta = sinf(beta);
     const float c_P_z = cosf(beta); /* dish_3rps-c_P */
-    const float psi = alpha - phi; /* dish_3rps-psi */
     const float t1 = sinf(psi);
     const float t2 = cosf(psi);
-    const float t3 = t2 * sin_beta;
-    const float t4 = t1 * sin_beta;
-    const float t5 = d * d;
-    const float t6 = 2.0f * f;
-    const float slope_length = sqrtf(t5 + (t6 * t6)); /* dish_3rps-slope_length */
-    const float t7 = 1.0f / slope_length;
-    const float t8 = t7 * d;
-    const float t9 = t7 * t6;
-    const float t10 = c_P_z * t2;
-    const float t11 = (t2 * t10) + (t1 * t1);
-    const float t12 = t1 * (t10 - t2);
-    const float t13 = (t9 * t3) - (t8 * t11);
-    const float t14 = (t9 * t4) - (t8 * t12);
-    const float n_P_z = (t8 * t3) + (t9 * c_P_z); /* dish_3rps-n_P */
-    const float t15 = 2.0f * (((t3 * t13) + (t4 * t14)) + (c_P_z * n_P_z));
-    const float ray_x = t3 - (t15 * t13); /* dish_3rps-ray */
-    const float ray_y = t4 - (t15 * t14); /* dish_3rps-ray */
-    const float ray_z = (t15 * n_P_z) - c_P_z; /* dish_3rps-ray */
-    const float t16 = 1.0f + n_P_z;
-    const int t17 = 1.0e-6f < t16;
-    const int face_down = !t17; /* dish_3rps-face_down */
-    const float lean = face_down ? 1.0f : t16; /* dish_3rps-lean */
+    const float t3 = t2 * c_P_z;
+    const float t4 = t2 * sin_beta;
+    const float t5 = t1 * sin_beta;
+    const float t6 = d * d;
+    const float t7 = 2.0f * f;
+    const float slope_length = sqrtf(t6 + (t7 * t7)); /* dish_3rps-slope_length */
+    const float t8 = 1.0f / slope_length;
+    const float t9 = t8 * d;
+    const float t10 = t8 * t7;
+    const float t11 = (t2 * t3) + (t1 * t1);
+    const float t12 = t1 * (t3 - t2);
+    const float n_P_x = (t9 * t11) - (t10 * t4); /* dish_3rps-n_P */
+    const float n_P_y = (t9 * t12) - (t10 * t5); /* dish_3rps-n_P */
+    const float n_P_z = (t9 * t4) + (t10 * c_P_z); /* dish_3rps-n_P */
+    const float t13 = 2.0f * ((c_P_z * n_P_z) - ((t4 * n_P_x) + (t5 * n_P_y)));
+    const float ray_x = (t13 * n_P_x) + t4; /* dish_3rps-ray */
+    const float ray_y = (t13 * n_P_y) + t5; /* dish_3rps-ray */
+    const float ray_z = (t13 * n_P_z) - c_P_z; /* dish_3rps-ray */
+    const float t14 = 1.0f + n_P_z;
+    const int t15 = 1.0e-6f < t14;
+    const int face_down = !t15; /* dish_3rps-face_down */
+    const float lean = face_down ? 1.0f : t14; /* dish_3rps-lean */
     /* dish_3rps-x_M, dish_3rps-M_P */
-    const float x_M = (r_m * ((t14 * t14) - (t13 * t13))) / (2.0f * lean);
-    const float t18 = t5 / (4.0f * f);
-    const float D_P_x = d - ((d * t11) + (t18 * t3)); /* dish_3rps-D_P */
-    /* dish_3rps-D_P, dish_3rps-z_M, dish_3rps-M_P */
-    const float D_P_z = ((t18 * c_P_z) - (d * t3)) + z_O;
+    const float x_M = (r_m * ((n_P_y * n_P_y) - (n_P_x * n_P_x))) / (2.0f * lean);
+    const float t16 = t6 / (4.0f * f);
+    const float arm_D_z = (t16 * c_P_z) - (d * t4); /* dish_3rps-arm_D */
+    const float D_P_x = d - ((d * t11) + (t16 * t4)); /* dish_3rps-D_P */
+    const float D_P_z = arm_D_z + z_O; /* dish_3rps-D_P, dish_3rps-z_M, dish_3rps-M_P */
     const float off_P_x = x_M - D_P_x; /* dish_3rps-off_P */
-    const float y_M = ((r_m * t13) * t14) / lean; /* dish_3rps-y_M, dish_3rps-M_P */
-    const float off_P_y = y_M + ((d * t12) + (t18 * t4)); /* dish_3rps-off_P */
-    const float t19 = ray_z * off_P_y;
-    const float t20 = ray_z * off_P_x;
-    const float t21 = (ray_x * off_P_y) - (ray_y * off_P_x);
+    const float y_M = ((r_m * n_P_x) * n_P_y) / lean; /* dish_3rps-y_M, dish_3rps-M_P */
+    const float off_P_y = y_M + ((d * t12) + (t16 * t5)); /* dish_3rps-off_P */
+    const float t17 = ray_z * off_P_y;
+    const float t18 = ray_z * off_P_x;
+    const float t19 = (ray_x * off_P_y) - (ray_y * off_P_x);
     /* dish_3rps-miss */
-    const float miss_value = sqrtf(((t19 * t19) + (t20 * t20)) + (t21 * t21));
-    const float focus_x = d - (f * t3); /* dish_3rps-focus */
+    const float miss_value = sqrtf(((t17 * t17) + (t18 * t18)) + (t19 * t19));
+    const float focus_x = d - (f * t4); /* dish_3rps-focus */
     const float focus_z = z_O + (f * c_P_z); /* dish_3rps-focus */
     const float way_x = focus_x - x_M; /* dish_3rps-way */
     const float way_z = focus_z - D_P_z; /* dish_3rps-way */
-    const float t22 = ((ray_x * way_x) - (ray_y * ((f * t4) + y_M))) + (ray_z * way_z);
-    const float miss_angle_value = atan2f(miss_value, t22); /* dish_3rps-miss_angle */
+    const float t20 = ((ray_x * way_x) - (ray_y * ((f * t5) + y_M))) + (ray_z * way_z);
+    const float miss_angle_value = atan2f(miss_value, t20); /* dish_3rps-miss_angle */
     if (face_down) {
       status = ARMILLARY_UNREACHABLE;
     }

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x95989627UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x873b4442UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -47,53 +47,53 @@ int dish_3rps_central_ray_f64(
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {
+    const double psi = alpha - phi; /* dish_3rps-psi */
     const double sin_beta = sin(beta);
     const double c_P_z = cos(beta); /* dish_3rps-c_P */
-    const double psi = alpha - phi; /* dish_3rps-psi */
     const double t1 = sin(psi);
     const double t2 = cos(psi);
-    const double t3 = t2 * sin_beta;
-    const double t4 = t1 * sin_beta;
-    const double t5 = d * d;
-    const double t6 = 2.0 * f;
-    const double slope_length = sqrt(t5 + (t6 * t6)); /* dish_3rps-slope_length */
-    const double t7 = 1.0 / slope_length;
-    const double t8 = t7 * d;
-    const double t9 = t7 * t6;
-    const double t10 = c_P_z * t2;
-    const double t11 = (t2 * t10) + (t1 * t1);
-    const double t12 = t1 * (t10 - t2);
-    const double t13 = (t9 * t3) - (t8 * t11);
-    const double t14 = (t9 * t4) - (t8 * t12);
-    const double n_P_z = (t8 * t3) + (t9 * c_P_z); /* dish_3rps-n_P */
-    const double t15 = 2.0 * (((t3 * t13) + (t4 * t14)) + (c_P_z * n_P_z));
-    const double ray_x = t3 - (t15 * t13); /* dish_3rps-ray */
-    const double ray_y = t4 - (t15 * t14); /* dish_3rps-ray */
-    const double ray_z = (t15 * n_P_z) - c_P_z; /* dish_3rps-ray */
-    const double t16 = 1.0 + n_P_z;
-    const int t17 = 1.0e-6 < t16;
-    const int face_down = !t17; /* dish_3rps-face_down */
-    const double lean = face_down ? 1.0 : t16; /* dish_3rps-lean */
+    const double t3 = t2 * c_P_z;
+    const double t4 = t2 * sin_beta;
+    const double t5 = t1 * sin_beta;
+    const double t6 = d * d;
+    const double t7 = 2.0 * f;
+    const double slope_length = sqrt(t6 + (t7 * t7)); /* dish_3rps-slope_length */
+    const double t8 = 1.0 / slope_length;
+    const double t9 = t8 * d;
+    const double t10 = t8 * t7;
+    const double t11 = (t2 * t3) + (t1 * t1);
+    const double t12 = t1 * (t3 - t2);
+    const double n_P_x = (t9 * t11) - (t10 * t4); /* dish_3rps-n_P */
+    const double n_P_y = (t9 * t12) - (t10 * t5); /* dish_3rps-n_P */
+    const double n_P_z = (t9 * t4) + (t10 * c_P_z); /* dish_3rps-n_P */
+    const double t13 = 2.0 * ((c_P_z * n_P_z) - ((t4 * n_P_x) + (t5 * n_P_y)));
+    const double ray_x = (t13 * n_P_x) + t4; /* dish_3rps-ray */
+    const double ray_y = (t13 * n_P_y) + t5; /* dish_3rps-ray */
+    const double ray_z = (t13 * n_P_z) - c_P_z; /* dish_3rps-ray */
+    const double t14 = 1.0 + n_P_z;
+    const int t15 = 1.0e-6 < t14;
+    const int face_down = !t15; /* dish_3rps-face_down */
+    const double lean = face_down ? 1.0 : t14; /* dish_3rps-lean */
     /* dish_3rps-x_M, dish_3rps-M_P */
-    const double x_M = (r_m * ((t14 * t14) - (t13 * t13))) / (2.0 * lean);
-    const double t18 = t5 / (4.0 * f);
-    const double D_P_x = d - ((d * t11) + (t18 * t3)); /* dish_3rps-D_P */
-    /* dish_3rps-D_P, dish_3rps-z_M, dish_3rps-M_P */
-    const double D_P_z = ((t18 * c_P_z) - (d * t3)) + z_O;
+    const double x_M = (r_m * ((n_P_y * n_P_y) - (n_P_x * n_P_x))) / (2.0 * lean);
+    const double t16 = t6 / (4.0 * f);
+    const double arm_D_z = (t16 * c_P_z) - (d * t4); /* dish_3rps-arm_D */
+    const double D_P_x = d - ((d * t11) + (t16 * t4)); /* dish_3rps-D_P */
+    const double D_P_z = arm_D_z + z_O; /* dish_3rps-D_P, dish_3rps-z_M, dish_3rps-M_P */
     const double off_P_x = x_M - D_P_x; /* dish_3rps-off_P */
-    const double y_M = ((r_m * t13) * t14) / lean; /* dish_3rps-y_M, dish_3rps-M_P */
-    const double off_P_y = y_M + ((d * t12) + (t18 * t4)); /* dish_3rps-off_P */
-    const double t19 = ray_z * off_P_y;
-    const double t20 = ray_z * off_P_x;
-    const double t21 = (ray_x * off_P_y) - (ray_y * off_P_x);
+    const double y_M = ((r_m * n_P_x) * n_P_y) / lean; /* dish_3rps-y_M, dish_3rps-M_P */
+    const double off_P_y = y_M + ((d * t12) + (t16 * t5)); /* dish_3rps-off_P */
+    const double t17 = ray_z * off_P_y;
+    const double t18 = ray_z * off_P_x;
+    const double t19 = (ray_x * off_P_y) - (ray_y * off_P_x);
     /* dish_3rps-miss */
-    const double miss_value = sqrt(((t19 * t19) + (t20 * t20)) + (t21 * t21));
-    const double focus_x = d - (f * t3); /* dish_3rps-focus */
+    const double miss_value = sqrt(((t17 * t17) + (t18 * t18)) + (t19 * t19));
+    const double focus_x = d - (f * t4); /* dish_3rps-focus */
     const double focus_z = z_O + (f * c_P_z); /* dish_3rps-focus */
     const double way_x = focus_x - x_M; /* dish_3rps-way */
     const double way_z = focus_z - D_P_z; /* dish_3rps-way */
-    const double t22 = ((ray_x * way_x) - (ray_y * ((f * t4) + y_M))) + (ray_z * way_z);
-    const double miss_angle_value = atan2(miss_value, t22); /* dish_3rps-miss_angle */
+    const double t20 = ((ray_x * way_x) - (ray_y * ((f * t5) + y_M))) + (ray_z * way_z);
+    const double miss_angle_value = atan2(miss_value, t20); /* dish_3rps-miss_angle */
     if (face_down) {
       status = ARMILLARY_UNREACHABLE;
     }

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x95989627UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x873b4442UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -58,51 +58,52 @@ int dish_3rps_facet_f32(
     const float t9 = t6 * t4;
     const float sin_beta = sinf(beta);
     const float cos_beta = cosf(beta);
-    const float H_R_M_33 = (cos_beta * t5) + (sin_beta * t8); /* dish_3rps-H_R_M */
+    const float n_P_z = (cos_beta * t5) + (sin_beta * t8); /* dish_3rps-n_P, dish_3rps-H_R_M */
     const float t10 = (sin_beta * t5) - (cos_beta * t8);
-    const float H_R_M_31 = (t7 * t10) - (t6 * t9); /* dish_3rps-H_R_M */
-    const float H_R_M_32 = (t6 * t10) + (t7 * t9); /* dish_3rps-H_R_M */
-    const float t11 = 1.0f + H_R_M_33;
+    const float a_x_z = (t7 * t10) - (t6 * t9); /* dish_3rps-a_x, dish_3rps-H_R_M */
+    const float a_y_z = (t6 * t10) + (t7 * t9); /* dish_3rps-a_y, dish_3rps-H_R_M */
+    const float t11 = 1.0f + n_P_z;
     const int t12 = 1.0e-6f < t11;
     const int face_down = !t12; /* dish_3rps-face_down */
     const float lean = face_down ? 1.0f : t11; /* dish_3rps-lean */
     const float t13 = 1.0f / lean;
-    const float t14 = H_R_M_31 * t13;
-    const float t15 = 1.0f - (t14 * H_R_M_31);
-    const float t16 = t14 * H_R_M_32;
+    const float t14 = a_x_z * t13;
+    const float a_x_x = 1.0f - (t14 * a_x_z); /* dish_3rps-a_x */
+    const float t15 = t14 * a_y_z;
     const float sin_phi = sinf(phi);
     const float cos_phi = cosf(phi);
-    const float t17 = sin_phi * t16;
-    const float t18 = cos_phi * t16;
-    const float H_R_M_21 = t18 - (sin_phi * t15); /* dish_3rps-H_R_M */
-    const float t19 = 1.0f - ((H_R_M_32 * t13) * H_R_M_32);
-    const float H_R_M_12 = t18 + (sin_phi * t19); /* dish_3rps-H_R_M */
-    const float H_R_M_22 = t17 - (cos_phi * t19); /* dish_3rps-H_R_M */
-    const float H_R_M_13 = (cos_phi * H_R_M_31) - (sin_phi * H_R_M_32); /* dish_3rps-H_R_M */
-    const float H_R_M_23 = (sin_phi * H_R_M_31) + (cos_phi * H_R_M_32); /* dish_3rps-H_R_M */
+    const float t16 = sin_phi * t15;
+    const float t17 = cos_phi * t15;
+    const float H_R_M_21 = t17 - (sin_phi * a_x_x); /* dish_3rps-H_R_M */
+    const float a_y_y = 1.0f - ((a_y_z * t13) * a_y_z); /* dish_3rps-a_y */
+    const float H_R_M_12 = t17 + (sin_phi * a_y_y); /* dish_3rps-H_R_M */
+    const float H_R_M_22 = t16 - (cos_phi * a_y_y); /* dish_3rps-H_R_M */
+    const float H_R_M_13 = (cos_phi * a_x_z) - (sin_phi * a_y_z); /* dish_3rps-H_R_M */
+    const float H_R_M_23 = (sin_phi * a_x_z) + (cos_phi * a_y_z); /* dish_3rps-H_R_M */
     const float H_T_P_p_x = d * cos_phi; /* dish_3rps-H_T_P */
     const float H_T_P_p_y = d * sin_phi; /* dish_3rps-H_T_P */
-    /* dish_3rps-x_M */
-    const float x_M = (r_m * ((H_R_M_32 * H_R_M_32) - (H_R_M_31 * H_R_M_31))) / (2.0f * lean);
-    const float y_M = ((r_m * H_R_M_31) * H_R_M_32) * t13; /* dish_3rps-y_M */
-    const float t20 = t1 / (4.0f * f);
-    /* dish_3rps-D_P, dish_3rps-z_M, dish_3rps-M */
-    const float D_P_z = ((cos_beta * t20) - (sin_beta * (t7 * d))) + z_O;
+    /* dish_3rps-x_M, dish_3rps-M_P */
+    const float x_M = (r_m * ((a_y_z * a_y_z) - (a_x_z * a_x_z))) / (2.0f * lean);
+    const float y_M = ((r_m * a_x_z) * a_y_z) * t13; /* dish_3rps-y_M, dish_3rps-M_P */
+    const float t18 = t1 / (4.0f * f);
+    const float arm_D_z = (cos_beta * t18) - (sin_beta * (t7 * d)); /* dish_3rps-arm_D */
+    /* dish_3rps-D_P, dish_3rps-z_M, dish_3rps-M_P, dish_3rps-M */
+    const float D_P_z = arm_D_z + z_O;
     const float M_x = H_T_P_p_x + ((sin_phi * y_M) - (cos_phi * x_M)); /* dish_3rps-M */
     const float M_y = H_T_P_p_y - ((sin_phi * x_M) + (cos_phi * y_M)); /* dish_3rps-M */
     if (face_down) {
       status = ARMILLARY_UNREACHABLE;
     }
     if (status >= 0) {
-      H_R_M[0] = -((cos_phi * t15) + t17);
+      H_R_M[0] = -((cos_phi * a_x_x) + t16);
       H_R_M[1] = H_R_M_12;
       H_R_M[2] = H_R_M_13;
       H_R_M[3] = H_R_M_21;
       H_R_M[4] = H_R_M_22;
       H_R_M[5] = H_R_M_23;
-      H_R_M[6] = H_R_M_31;
-      H_R_M[7] = H_R_M_32;
-      H_R_M[8] = H_R_M_33;
+      H_R_M[6] = a_x_z;
+      H_R_M[7] = a_y_z;
+      H_R_M[8] = n_P_z;
       M[0] = M_x;
       M[1] = M_y;
       M[2] = D_P_z;

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x95989627UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x873b4442UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -60,51 +60,52 @@ int dish_3rps_facet_f64(
     const double t9 = t6 * t4;
     const double sin_beta = sin(beta);
     const double cos_beta = cos(beta);
-    const double H_R_M_33 = (cos_beta * t5) + (sin_beta * t8); /* dish_3rps-H_R_M */
+    const double n_P_z = (cos_beta * t5) + (sin_beta * t8); /* dish_3rps-n_P, dish_3rps-H_R_M */
     const double t10 = (sin_beta * t5) - (cos_beta * t8);
-    const double H_R_M_31 = (t7 * t10) - (t6 * t9); /* dish_3rps-H_R_M */
-    const double H_R_M_32 = (t6 * t10) + (t7 * t9); /* dish_3rps-H_R_M */
-    const double t11 = 1.0 + H_R_M_33;
+    const double a_x_z = (t7 * t10) - (t6 * t9); /* dish_3rps-a_x, dish_3rps-H_R_M */
+    const double a_y_z = (t6 * t10) + (t7 * t9); /* dish_3rps-a_y, dish_3rps-H_R_M */
+    const double t11 = 1.0 + n_P_z;
     const int t12 = 1.0e-6 < t11;
     const int face_down = !t12; /* dish_3rps-face_down */
     const double lean = face_down ? 1.0 : t11; /* dish_3rps-lean */
     const double t13 = 1.0 / lean;
-    const double t14 = H_R_M_31 * t13;
-    const double t15 = 1.0 - (t14 * H_R_M_31);
-    const double t16 = t14 * H_R_M_32;
+    const double t14 = a_x_z * t13;
+    const double a_x_x = 1.0 - (t14 * a_x_z); /* dish_3rps-a_x */
+    const double t15 = t14 * a_y_z;
     const double sin_phi = sin(phi);
     const double cos_phi = cos(phi);
-    const double t17 = sin_phi * t16;
-    const double t18 = cos_phi * t16;
-    const double H_R_M_21 = t18 - (sin_phi * t15); /* dish_3rps-H_R_M */
-    const double t19 = 1.0 - ((H_R_M_32 * t13) * H_R_M_32);
-    const double H_R_M_12 = t18 + (sin_phi * t19); /* dish_3rps-H_R_M */
-    const double H_R_M_22 = t17 - (cos_phi * t19); /* dish_3rps-H_R_M */
-    const double H_R_M_13 = (cos_phi * H_R_M_31) - (sin_phi * H_R_M_32); /* dish_3rps-H_R_M */
-    const double H_R_M_23 = (sin_phi * H_R_M_31) + (cos_phi * H_R_M_32); /* dish_3rps-H_R_M */
+    const double t16 = sin_phi * t15;
+    const double t17 = cos_phi * t15;
+    const double H_R_M_21 = t17 - (sin_phi * a_x_x); /* dish_3rps-H_R_M */
+    const double a_y_y = 1.0 - ((a_y_z * t13) * a_y_z); /* dish_3rps-a_y */
+    const double H_R_M_12 = t17 + (sin_phi * a_y_y); /* dish_3rps-H_R_M */
+    const double H_R_M_22 = t16 - (cos_phi * a_y_y); /* dish_3rps-H_R_M */
+    const double H_R_M_13 = (cos_phi * a_x_z) - (sin_phi * a_y_z); /* dish_3rps-H_R_M */
+    const double H_R_M_23 = (sin_phi * a_x_z) + (cos_phi * a_y_z); /* dish_3rps-H_R_M */
     const double H_T_P_p_x = d * cos_phi; /* dish_3rps-H_T_P */
     const double H_T_P_p_y = d * sin_phi; /* dish_3rps-H_T_P */
-    /* dish_3rps-x_M */
-    const double x_M = (r_m * ((H_R_M_32 * H_R_M_32) - (H_R_M_31 * H_R_M_31))) / (2.0 * lean);
-    const double y_M = ((r_m * H_R_M_31) * H_R_M_32) * t13; /* dish_3rps-y_M */
-    const double t20 = t1 / (4.0 * f);
-    /* dish_3rps-D_P, dish_3rps-z_M, dish_3rps-M */
-    const double D_P_z = ((cos_beta * t20) - (sin_beta * (t7 * d))) + z_O;
+    /* dish_3rps-x_M, dish_3rps-M_P */
+    const double x_M = (r_m * ((a_y_z * a_y_z) - (a_x_z * a_x_z))) / (2.0 * lean);
+    const double y_M = ((r_m * a_x_z) * a_y_z) * t13; /* dish_3rps-y_M, dish_3rps-M_P */
+    const double t18 = t1 / (4.0 * f);
+    const double arm_D_z = (cos_beta * t18) - (sin_beta * (t7 * d)); /* dish_3rps-arm_D */
+    /* dish_3rps-D_P, dish_3rps-z_M, dish_3rps-M_P, dish_3rps-M */
+    const double D_P_z = arm_D_z + z_O;
     const double M_x = H_T_P_p_x + ((sin_phi * y_M) - (cos_phi * x_M)); /* dish_3rps-M */
     const double M_y = H_T_P_p_y - ((sin_phi * x_M) + (cos_phi * y_M)); /* dish_3rps-M */
     if (face_down) {
       status = ARMILLARY_UNREACHABLE;
     }
     if (status >= 0) {
-      H_R_M[0] = -((cos_phi * t15) + t17);
+      H_R_M[0] = -((cos_phi * a_x_x) + t16);
       H_R_M[1] = H_R_M_12;
       H_R_M[2] = H_R_M_13;
       H_R_M[3] = H_R_M_21;
       H_R_M[4] = H_R_M_22;
       H_R_M[5] = H_R_M_23;
-      H_R_M[6] = H_R_M_31;
-      H_R_M[7] = H_R_M_32;
-      H_R_M[8] = H_R_M_33;
+      H_R_M[6] = a_x_z;
+      H_R_M[7] = a_y_z;
+      H_R_M[8] = n_P_z;
       M[0] = M_x;
       M[1] = M_y;
       M[2] = D_P_z;

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x95989627UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x873b4442UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -67,56 +67,56 @@ int dish_3rps_jacobian_a_f64(
     const double cos_beta = cos(beta);
     const double n_P_z = (cos_beta * t5) + (sin_beta * t8); /* dish_3rps-n_P */
     const double t10 = (sin_beta * t5) - (cos_beta * t8);
-    const double t11 = (t7 * t10) - (t6 * t9);
-    const double t12 = (t6 * t10) + (t7 * t9);
-    const double t13 = 0.5 * (3.0 - n_P_z);
-    const double t14 = 1.0 + n_P_z;
-    const int t15 = 1.0e-6 < t14;
-    const int face_down = !t15; /* dish_3rps-face_down */
-    const double lean = face_down ? 1.0 : t14; /* dish_3rps-lean */
-    const double t16 = 1.0 / lean;
-    const double t17 = 2.0 * t16;
-    const double t18 = t1 / (4.0 * f);
-    /* dish_3rps-D_P, dish_3rps-z_M */
-    const double D_P_z = ((cos_beta * t18) - (sin_beta * (t7 * d))) + z_O;
+    const double a_x_z = (t7 * t10) - (t6 * t9); /* dish_3rps-a_x */
+    const double a_y_z = (t6 * t10) + (t7 * t9); /* dish_3rps-a_y */
+    const double t11 = 0.5 * (3.0 - n_P_z);
+    const double t12 = 1.0 + n_P_z;
+    const int t13 = 1.0e-6 < t12;
+    const int face_down = !t13; /* dish_3rps-face_down */
+    const double lean = face_down ? 1.0 : t12; /* dish_3rps-lean */
+    const double t14 = 1.0 / lean;
+    const double t15 = 2.0 * t14;
+    const double t16 = t1 / (4.0 * f);
+    const double arm_D_z = (cos_beta * t16) - (sin_beta * (t7 * d)); /* dish_3rps-arm_D */
+    const double D_P_z = arm_D_z + z_O; /* dish_3rps-D_P, dish_3rps-z_M */
     const double sin_phi = sin(phi);
     const double cos_phi = cos(phi);
-    const double t19 = t11 * t16;
-    const double t20 = 1.0 - (t19 * t11);
-    const double t21 = t19 * t12;
-    const double t22 = 1.0 - ((t12 * t16) * t12);
+    const double t17 = a_x_z * t14;
+    const double a_x_x = 1.0 - (t17 * a_x_z); /* dish_3rps-a_x */
+    const double t18 = t17 * a_y_z;
+    const double a_y_y = 1.0 - ((a_y_z * t14) * a_y_z); /* dish_3rps-a_y */
     double e_z[3];
     double e_x[3];
-    double t23[3];
+    double t19[3];
     double J_A_14[3];
     double J_A_15[3];
     double J_A_16[3];
     int no_rod = 0;
     for (int leg = 0; leg < 3; ++leg) {
-      const double t24 = (t11 * leg_constants[leg]) + (t12 * leg_constants_2[leg]);
-      const double rho = r_m * (t13 - (t17 * (t24 * t24))); /* dish_3rps-rho */
+      const double t20 = (a_x_z * leg_constants[leg]) + (a_y_z * leg_constants_2[leg]);
+      const double rho = r_m * (t11 - (t15 * (t20 * t20))); /* dish_3rps-rho */
       const double reach = rho - r_b; /* dish_3rps-reach */
-      const double r_S_z = r_m * t24; /* dish_3rps-r_S */
+      const double r_S_z = r_m * t20; /* dish_3rps-r_S */
       const double h = D_P_z + r_S_z; /* dish_3rps-h */
       const double l_rod = sqrt((reach * reach) + (h * h)); /* dish_3rps-l_rod */
-      const int t25 = 1.0e-6 < l_rod;
-      const double length = t25 ? l_rod : 1.0e-6; /* dish_3rps-length */
-      const double t26 = 1.0 / length;
-      const double t27 = reach * t26;
-      const double t28 = t27 * leg_constants[leg];
-      const double t29 = t27 * leg_constants_2[leg];
-      e_z[leg] = h * t26; /* dish_3rps-e, dish_3rps-J_A */
-      e_x[leg] = (sin_phi * t29) - (cos_phi * t28); /* dish_3rps-e, dish_3rps-J_A */
-      t23[leg] = (sin_phi * t28) + (cos_phi * t29);
-      const double t30 = r_m * ((leg_constants[leg] * t20) - (leg_constants_2[leg] * t21));
-      const double t31 = r_m * ((leg_constants_2[leg] * t22) - (leg_constants[leg] * t21));
-      const double r_S_x = (sin_phi * t31) - (cos_phi * t30); /* dish_3rps-r_S */
-      const double t32 = (sin_phi * t30) + (cos_phi * t31);
-      J_A_14[leg] = (r_S_z * t23[leg]) - (t32 * e_z[leg]); /* dish_3rps-J_A */
+      const int t21 = 1.0e-6 < l_rod;
+      const double length = t21 ? l_rod : 1.0e-6; /* dish_3rps-length */
+      const double t22 = 1.0 / length;
+      const double t23 = reach * t22;
+      const double t24 = t23 * leg_constants[leg];
+      const double t25 = t23 * leg_constants_2[leg];
+      e_z[leg] = h * t22; /* dish_3rps-e, dish_3rps-J_A */
+      e_x[leg] = (sin_phi * t25) - (cos_phi * t24); /* dish_3rps-e, dish_3rps-J_A */
+      t19[leg] = (sin_phi * t24) + (cos_phi * t25);
+      const double t26 = r_m * ((leg_constants[leg] * a_x_x) - (leg_constants_2[leg] * t18));
+      const double t27 = r_m * ((leg_constants_2[leg] * a_y_y) - (leg_constants[leg] * t18));
+      const double r_S_x = (sin_phi * t27) - (cos_phi * t26); /* dish_3rps-r_S */
+      const double t28 = (sin_phi * t26) + (cos_phi * t27);
+      J_A_14[leg] = (r_S_z * t19[leg]) - (t28 * e_z[leg]); /* dish_3rps-J_A */
       J_A_15[leg] = (r_S_z * e_x[leg]) - (r_S_x * e_z[leg]); /* dish_3rps-J_A */
-      J_A_16[leg] = (t32 * e_x[leg]) - (r_S_x * t23[leg]); /* dish_3rps-J_A */
-      const int t33 = !t25;
-      no_rod = no_rod || t33; /* dish_3rps-no_rod */
+      J_A_16[leg] = (t28 * e_x[leg]) - (r_S_x * t19[leg]); /* dish_3rps-J_A */
+      const int t29 = !t21;
+      no_rod = no_rod || t29; /* dish_3rps-no_rod */
     }
     if (face_down) {
       status = ARMILLARY_UNREACHABLE;
@@ -127,7 +127,7 @@ int dish_3rps_jacobian_a_f64(
     if (status >= 0) {
       for (int leg = 0; leg < 3; ++leg) {
         J_A[6 * leg] = e_x[leg];
-        J_A[(6 * leg) + 1] = -t23[leg];
+        J_A[(6 * leg) + 1] = -t19[leg];
         J_A[(6 * leg) + 2] = e_z[leg];
         J_A[(6 * leg) + 3] = J_A_14[leg];
         J_A[(6 * leg) + 4] = J_A_15[leg];

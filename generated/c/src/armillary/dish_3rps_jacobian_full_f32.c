@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x95989627UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x873b4442UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -48,8 +48,8 @@ int dish_3rps_jacobian_full_f32(
       status = ARMILLARY_OUT_OF_RANGE;
     }
   } else {
-    const float leg_constants[3] = {1.0f, -0.5f, -0.5f};
-    const float leg_constants_2[3] = {0.0f, 0.8660254f, -0.8660254f};
+    const float t_y[3] = {1.0f, -0.5f, -0.5f};
+    const float leg_constants[3] = {0.0f, 0.8660254f, -0.8660254f};
     const float t1 = d * d;
     const float t2 = 2.0f * f;
     const float slope_length = sqrtf(t1 + (t2 * t2)); /* dish_3rps-slope_length */
@@ -65,69 +65,68 @@ int dish_3rps_jacobian_full_f32(
     const float cos_beta = cosf(beta);
     const float n_P_z = (cos_beta * t5) + (sin_beta * t8); /* dish_3rps-n_P */
     const float t10 = (sin_beta * t5) - (cos_beta * t8);
-    const float t11 = (t7 * t10) - (t6 * t9);
-    const float t12 = (t6 * t10) + (t7 * t9);
-    const float t13 = 0.5f * (3.0f - n_P_z);
-    const float t14 = 1.0f + n_P_z;
-    const int t15 = 1.0e-6f < t14;
-    const int face_down = !t15; /* dish_3rps-face_down */
-    const float lean = face_down ? 1.0f : t14; /* dish_3rps-lean */
-    const float t16 = 1.0f / lean;
-    const float t17 = 2.0f * t16;
-    const float t18 = t1 / (4.0f * f);
-    /* dish_3rps-D_P, dish_3rps-z_M */
-    const float D_P_z = ((cos_beta * t18) - (sin_beta * (t7 * d))) + z_O;
+    const float a_x_z = (t7 * t10) - (t6 * t9); /* dish_3rps-a_x */
+    const float a_y_z = (t6 * t10) + (t7 * t9); /* dish_3rps-a_y */
+    const float t11 = 0.5f * (3.0f - n_P_z);
+    const float t12 = 1.0f + n_P_z;
+    const int t13 = 1.0e-6f < t12;
+    const int face_down = !t13; /* dish_3rps-face_down */
+    const float lean = face_down ? 1.0f : t12; /* dish_3rps-lean */
+    const float t14 = 1.0f / lean;
+    const float t15 = 2.0f * t14;
+    const float t16 = t1 / (4.0f * f);
+    const float arm_D_z = (cos_beta * t16) - (sin_beta * (t7 * d)); /* dish_3rps-arm_D */
+    const float D_P_z = arm_D_z + z_O; /* dish_3rps-D_P, dish_3rps-z_M */
     const float sin_phi = sinf(phi);
     const float cos_phi = cosf(phi);
-    const float t19 = t11 * t16;
-    const float t20 = 1.0f - (t19 * t11);
-    const float t21 = t19 * t12;
-    const float t22 = 1.0f - ((t12 * t16) * t12);
+    const float t17 = a_x_z * t14;
+    const float a_x_x = 1.0f - (t17 * a_x_z); /* dish_3rps-a_x */
+    const float t18 = t17 * a_y_z;
+    const float a_y_y = 1.0f - ((a_y_z * t14) * a_y_z); /* dish_3rps-a_y */
     float e_z[3];
     float e_x[3];
-    float t23[3];
+    float t19[3];
     float J_A_14[3];
     float J_A_15[3];
     float J_A_16[3];
-    float J_plane_11[3];
-    float J_plane_12[3];
-    float t24[3];
+    float t_H_x[3];
+    float t_H_y[3];
+    float t20[3];
     float J_plane_15[3];
     float J_plane_16[3];
     int no_rod = 0;
     for (int leg = 0; leg < 3; ++leg) {
-      const float t25 = (t11 * leg_constants[leg]) + (t12 * leg_constants_2[leg]);
-      const float rho = r_m * (t13 - (t17 * (t25 * t25))); /* dish_3rps-rho */
+      const float t21 = (a_x_z * t_y[leg]) + (a_y_z * leg_constants[leg]);
+      const float rho = r_m * (t11 - (t15 * (t21 * t21))); /* dish_3rps-rho */
       const float reach = rho - r_b; /* dish_3rps-reach */
-      const float r_S_z = r_m * t25; /* dish_3rps-r_S */
+      const float r_S_z = r_m * t21; /* dish_3rps-r_S */
       const float h = D_P_z + r_S_z; /* dish_3rps-h */
       const float l_rod = sqrtf((reach * reach) + (h * h)); /* dish_3rps-l_rod */
-      const int t26 = 1.0e-6f < l_rod;
-      const float length = t26 ? l_rod : 1.0e-6f; /* dish_3rps-length */
-      const float t27 = 1.0f / length;
-      const float t28 = reach * t27;
-      const float t29 = t28 * leg_constants[leg];
-      const float t30 = t28 * leg_constants_2[leg];
-      e_z[leg] = h * t27; /* dish_3rps-e, dish_3rps-J_A */
-      e_x[leg] = (sin_phi * t30) - (cos_phi * t29); /* dish_3rps-e, dish_3rps-J_A */
-      t23[leg] = (sin_phi * t29) + (cos_phi * t30);
-      const float t31 = r_m * ((leg_constants[leg] * t20) - (leg_constants_2[leg] * t21));
-      const float t32 = r_m * ((leg_constants_2[leg] * t22) - (leg_constants[leg] * t21));
-      const float r_S_x = (sin_phi * t32) - (cos_phi * t31); /* dish_3rps-r_S */
-      const float t33 = (sin_phi * t31) + (cos_phi * t32);
-      J_A_14[leg] = (r_S_z * t23[leg]) - (t33 * e_z[leg]); /* dish_3rps-J_A */
+      const int t22 = 1.0e-6f < l_rod;
+      const float length = t22 ? l_rod : 1.0e-6f; /* dish_3rps-length */
+      const float t23 = 1.0f / length;
+      const float t24 = reach * t23;
+      const float t25 = t24 * t_y[leg];
+      const float t26 = t24 * leg_constants[leg];
+      e_z[leg] = h * t23; /* dish_3rps-e, dish_3rps-J_A */
+      e_x[leg] = (sin_phi * t26) - (cos_phi * t25); /* dish_3rps-e, dish_3rps-J_A */
+      t19[leg] = (sin_phi * t25) + (cos_phi * t26);
+      const float t27 = r_m * ((t_y[leg] * a_x_x) - (leg_constants[leg] * t18));
+      const float t28 = r_m * ((leg_constants[leg] * a_y_y) - (t_y[leg] * t18));
+      const float r_S_x = (sin_phi * t28) - (cos_phi * t27); /* dish_3rps-r_S */
+      const float t29 = (sin_phi * t27) + (cos_phi * t28);
+      J_A_14[leg] = (r_S_z * t19[leg]) - (t29 * e_z[leg]); /* dish_3rps-J_A */
       J_A_15[leg] = (r_S_z * e_x[leg]) - (r_S_x * e_z[leg]); /* dish_3rps-J_A */
-      J_A_16[leg] = (t33 * e_x[leg]) - (r_S_x * t23[leg]); /* dish_3rps-J_A */
-      /* dish_3rps-J_plane */
-      J_plane_11[leg] = (cos_phi * leg_constants_2[leg]) + (sin_phi * leg_constants[leg]);
-      /* dish_3rps-J_plane */
-      J_plane_12[leg] = (sin_phi * leg_constants_2[leg]) - (cos_phi * leg_constants[leg]);
-      t24[leg] = r_S_z * J_plane_12[leg];
-      J_plane_15[leg] = r_S_z * J_plane_11[leg]; /* dish_3rps-J_plane */
-      /* dish_3rps-J_plane */
-      J_plane_16[leg] = (r_S_x * J_plane_12[leg]) + (t33 * J_plane_11[leg]);
-      const int t34 = !t26;
-      no_rod = no_rod || t34; /* dish_3rps-no_rod */
+      J_A_16[leg] = (t29 * e_x[leg]) - (r_S_x * t19[leg]); /* dish_3rps-J_A */
+      /* dish_3rps-t_H, dish_3rps-J_plane */
+      t_H_x[leg] = (cos_phi * leg_constants[leg]) + (sin_phi * t_y[leg]);
+      /* dish_3rps-t_H, dish_3rps-J_plane */
+      t_H_y[leg] = (sin_phi * leg_constants[leg]) - (cos_phi * t_y[leg]);
+      t20[leg] = r_S_z * t_H_y[leg];
+      J_plane_15[leg] = r_S_z * t_H_x[leg]; /* dish_3rps-J_plane */
+      J_plane_16[leg] = (r_S_x * t_H_y[leg]) + (t29 * t_H_x[leg]); /* dish_3rps-J_plane */
+      const int t30 = !t22;
+      no_rod = no_rod || t30; /* dish_3rps-no_rod */
     }
     const float J_11 = e_x[0]; /* dish_3rps-J */
     const float J_13 = e_z[0]; /* dish_3rps-J */
@@ -144,16 +143,16 @@ int dish_3rps_jacobian_full_f32(
     const float J_34 = J_A_14[2]; /* dish_3rps-J */
     const float J_35 = J_A_15[2]; /* dish_3rps-J */
     const float J_36 = J_A_16[2]; /* dish_3rps-J */
-    const float J_41 = J_plane_11[0]; /* dish_3rps-J */
-    const float J_42 = J_plane_12[0]; /* dish_3rps-J */
+    const float J_41 = t_H_x[0]; /* dish_3rps-J */
+    const float J_42 = t_H_y[0]; /* dish_3rps-J */
     const float J_45 = J_plane_15[0]; /* dish_3rps-J */
     const float J_46 = J_plane_16[0]; /* dish_3rps-J */
-    const float J_51 = J_plane_11[1]; /* dish_3rps-J */
-    const float J_52 = J_plane_12[1]; /* dish_3rps-J */
+    const float J_51 = t_H_x[1]; /* dish_3rps-J */
+    const float J_52 = t_H_y[1]; /* dish_3rps-J */
     const float J_55 = J_plane_15[1]; /* dish_3rps-J */
     const float J_56 = J_plane_16[1]; /* dish_3rps-J */
-    const float J_61 = J_plane_11[2]; /* dish_3rps-J */
-    const float J_62 = J_plane_12[2]; /* dish_3rps-J */
+    const float J_61 = t_H_x[2]; /* dish_3rps-J */
+    const float J_62 = t_H_y[2]; /* dish_3rps-J */
     const float J_65 = J_plane_15[2]; /* dish_3rps-J */
     const float J_66 = J_plane_16[2]; /* dish_3rps-J */
     if (face_down) {
@@ -164,19 +163,19 @@ int dish_3rps_jacobian_full_f32(
     }
     if (status >= 0) {
       J[0] = J_11;
-      J[1] = -t23[0];
+      J[1] = -t19[0];
       J[2] = J_13;
       J[3] = J_14;
       J[4] = J_15;
       J[5] = J_16;
       J[6] = J_21;
-      J[7] = -t23[1];
+      J[7] = -t19[1];
       J[8] = J_23;
       J[9] = J_24;
       J[10] = J_25;
       J[11] = J_26;
       J[12] = J_31;
-      J[13] = -t23[2];
+      J[13] = -t19[2];
       J[14] = J_33;
       J[15] = J_34;
       J[16] = J_35;
@@ -184,19 +183,19 @@ int dish_3rps_jacobian_full_f32(
       J[18] = J_41;
       J[19] = J_42;
       J[20] = 0.0f;
-      J[21] = -t24[0];
+      J[21] = -t20[0];
       J[22] = J_45;
       J[23] = J_46;
       J[24] = J_51;
       J[25] = J_52;
       J[26] = 0.0f;
-      J[27] = -t24[1];
+      J[27] = -t20[1];
       J[28] = J_55;
       J[29] = J_56;
       J[30] = J_61;
       J[31] = J_62;
       J[32] = 0.0f;
-      J[33] = -t24[2];
+      J[33] = -t20[2];
       J[34] = J_65;
       J[35] = J_66;
     }

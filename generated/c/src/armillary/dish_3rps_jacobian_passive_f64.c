@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x95989627UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x873b4442UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -60,8 +60,8 @@ int dish_3rps_jacobian_passive_f64(
     const double t4 = cos(psi);
     const double sin_beta = sin(beta);
     const double cos_beta = cos(beta);
-    /* dish_3rps-D_P, dish_3rps-z_M */
-    const double D_P_z = ((cos_beta * t2) - (sin_beta * (t4 * d))) + z_O;
+    const double arm_D_z = (cos_beta * t2) - (sin_beta * (t4 * d)); /* dish_3rps-arm_D */
+    const double D_P_z = arm_D_z + z_O; /* dish_3rps-D_P, dish_3rps-z_M */
     const double t5 = 2.0 * f;
     const double slope_length = sqrt(t1 + (t5 * t5)); /* dish_3rps-slope_length */
     const double t6 = 1.0 / slope_length;
@@ -71,56 +71,56 @@ int dish_3rps_jacobian_passive_f64(
     const double t10 = t3 * t7;
     const double n_P_z = (cos_beta * t8) + (sin_beta * t9); /* dish_3rps-n_P */
     const double t11 = (sin_beta * t8) - (cos_beta * t9);
-    const double t12 = (t4 * t11) - (t3 * t10);
-    const double t13 = (t3 * t11) + (t4 * t10);
-    const double t14 = 0.5 * (3.0 - n_P_z);
-    const double t15 = 1.0 + n_P_z;
-    const int t16 = 1.0e-6 < t15;
-    const int face_down = !t16; /* dish_3rps-face_down */
-    const double lean = face_down ? 1.0 : t15; /* dish_3rps-lean */
-    const double t17 = 1.0 / lean;
-    const double t18 = 2.0 * t17;
+    const double a_x_z = (t4 * t11) - (t3 * t10); /* dish_3rps-a_x */
+    const double a_y_z = (t3 * t11) + (t4 * t10); /* dish_3rps-a_y */
+    const double t12 = 0.5 * (3.0 - n_P_z);
+    const double t13 = 1.0 + n_P_z;
+    const int t14 = 1.0e-6 < t13;
+    const int face_down = !t14; /* dish_3rps-face_down */
+    const double lean = face_down ? 1.0 : t13; /* dish_3rps-lean */
+    const double t15 = 1.0 / lean;
+    const double t16 = 2.0 * t15;
     const double sin_phi = sin(phi);
     const double cos_phi = cos(phi);
-    const double t19 = t12 * t17;
-    const double t20 = 1.0 - (t19 * t12);
-    const double t21 = t19 * t13;
-    const double t22 = 1.0 - ((t13 * t17) * t13);
+    const double t17 = a_x_z * t15;
+    const double a_x_x = 1.0 - (t17 * a_x_z); /* dish_3rps-a_x */
+    const double t18 = t17 * a_y_z;
+    const double a_y_y = 1.0 - ((a_y_z * t15) * a_y_z); /* dish_3rps-a_y */
     double J_P_11[3];
-    double t23[3];
-    double t24[3];
+    double t19[3];
+    double t20[3];
     double J_P_14[3];
     double J_P_15[3];
     double J_P_16[3];
     int no_rod = 0;
     for (int leg = 0; leg < 3; ++leg) {
-      const double t25 = (t12 * leg_constants[leg]) + (t13 * leg_constants_2[leg]);
-      const double r_S_z = r_m * t25; /* dish_3rps-r_S */
+      const double t21 = (a_x_z * leg_constants[leg]) + (a_y_z * leg_constants_2[leg]);
+      const double r_S_z = r_m * t21; /* dish_3rps-r_S */
       const double h = D_P_z + r_S_z; /* dish_3rps-h */
-      const double rho = r_m * (t14 - (t18 * (t25 * t25))); /* dish_3rps-rho */
+      const double rho = r_m * (t12 - (t16 * (t21 * t21))); /* dish_3rps-rho */
       const double reach = rho - r_b; /* dish_3rps-reach */
       const double l_rod = sqrt((reach * reach) + (h * h)); /* dish_3rps-l_rod */
-      const int t26 = 1.0e-6 < l_rod;
-      const double length = t26 ? l_rod : 1.0e-6; /* dish_3rps-length */
-      const double t27 = 1.0 / length;
-      const double t28 = h * t27;
-      const double t29 = t28 * leg_constants[leg];
-      const double t30 = t28 * leg_constants_2[leg];
-      const double t31 = reach * t27;
-      const double t32 = (sin_phi * t30) - (cos_phi * t29);
-      const double t33 = (sin_phi * t29) + (cos_phi * t30);
-      J_P_11[leg] = t32 * t27; /* dish_3rps-J_P */
-      t23[leg] = t33 * t27;
-      t24[leg] = t31 * t27;
-      const double t34 = r_m * ((leg_constants[leg] * t20) - (leg_constants_2[leg] * t21));
-      const double t35 = r_m * ((leg_constants_2[leg] * t22) - (leg_constants[leg] * t21));
-      const double r_S_x = (sin_phi * t35) - (cos_phi * t34); /* dish_3rps-r_S */
-      const double t36 = (sin_phi * t34) + (cos_phi * t35);
-      J_P_14[leg] = ((t36 * t31) + (r_S_z * t33)) * t27; /* dish_3rps-J_P */
-      J_P_15[leg] = ((r_S_z * t32) + (r_S_x * t31)) * t27; /* dish_3rps-J_P */
-      J_P_16[leg] = ((t36 * t32) - (r_S_x * t33)) * t27; /* dish_3rps-J_P */
-      const int t37 = !t26;
-      no_rod = no_rod || t37; /* dish_3rps-no_rod */
+      const int t22 = 1.0e-6 < l_rod;
+      const double length = t22 ? l_rod : 1.0e-6; /* dish_3rps-length */
+      const double t23 = 1.0 / length;
+      const double t24 = h * t23;
+      const double t25 = t24 * leg_constants[leg];
+      const double t26 = t24 * leg_constants_2[leg];
+      const double t27 = reach * t23;
+      const double e_across_x = (sin_phi * t26) - (cos_phi * t25); /* dish_3rps-e_across */
+      const double t28 = (sin_phi * t25) + (cos_phi * t26);
+      J_P_11[leg] = e_across_x * t23; /* dish_3rps-J_P */
+      t19[leg] = t28 * t23;
+      t20[leg] = t27 * t23;
+      const double t29 = r_m * ((leg_constants[leg] * a_x_x) - (leg_constants_2[leg] * t18));
+      const double t30 = r_m * ((leg_constants_2[leg] * a_y_y) - (leg_constants[leg] * t18));
+      const double r_S_x = (sin_phi * t30) - (cos_phi * t29); /* dish_3rps-r_S */
+      const double t31 = (sin_phi * t29) + (cos_phi * t30);
+      J_P_14[leg] = ((t31 * t27) + (r_S_z * t28)) * t23; /* dish_3rps-J_P */
+      J_P_15[leg] = ((r_S_z * e_across_x) + (r_S_x * t27)) * t23; /* dish_3rps-J_P */
+      J_P_16[leg] = ((t31 * e_across_x) - (r_S_x * t28)) * t23; /* dish_3rps-J_P */
+      const int t32 = !t22;
+      no_rod = no_rod || t32; /* dish_3rps-no_rod */
     }
     if (face_down) {
       status = ARMILLARY_UNREACHABLE;
@@ -131,8 +131,8 @@ int dish_3rps_jacobian_passive_f64(
     if (status >= 0) {
       for (int leg = 0; leg < 3; ++leg) {
         J_P[6 * leg] = J_P_11[leg];
-        J_P[(6 * leg) + 1] = -t23[leg];
-        J_P[(6 * leg) + 2] = -t24[leg];
+        J_P[(6 * leg) + 1] = -t19[leg];
+        J_P[(6 * leg) + 2] = -t20[leg];
         J_P[(6 * leg) + 3] = J_P_14[leg];
         J_P[(6 * leg) + 4] = J_P_15[leg];
         J_P[(6 * leg) + 5] = J_P_16[leg];

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x95989627UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x873b4442UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -74,8 +74,8 @@ int dish_3rps_joint_angles_f32(const dish_3rps_params_f32 *p, float alpha, float
     const float t16 = 1.0f / lean;
     const float t17 = 2.0f * t16;
     const float t18 = t1 / (4.0f * f);
-    /* dish_3rps-D_P, dish_3rps-z_M */
-    const float D_P_z = ((cos_beta * t18) - (sin_beta * (t7 * d))) + z_O;
+    const float arm_D_z = (cos_beta * t18) - (sin_beta * (t7 * d)); /* dish_3rps-arm_D */
+    const float D_P_z = arm_D_z + z_O; /* dish_3rps-D_P, dish_3rps-z_M */
     float s_value[3];
     int no_rod = 0;
     for (int leg = 0; leg < 3; ++leg) {

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x95989627UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x873b4442UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -77,8 +77,8 @@ int dish_3rps_joint_angles_f64(
     const double t16 = 1.0 / lean;
     const double t17 = 2.0 * t16;
     const double t18 = t1 / (4.0 * f);
-    /* dish_3rps-D_P, dish_3rps-z_M */
-    const double D_P_z = ((cos_beta * t18) - (sin_beta * (t7 * d))) + z_O;
+    const double arm_D_z = (cos_beta * t18) - (sin_beta * (t7 * d)); /* dish_3rps-arm_D */
+    const double D_P_z = arm_D_z + z_O; /* dish_3rps-D_P, dish_3rps-z_M */
     double s_value[3];
     int no_rod = 0;
     for (int leg = 0; leg < 3; ++leg) {

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x95989627UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x873b4442UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -57,27 +57,29 @@ int dish_3rps_off_dish_f32(const dish_3rps_params_f32 *p, float alpha, float bet
     const float t10 = (t7 * t9) + (t6 * t6);
     const float t11 = t6 * (t9 - t7);
     const float t12 = sin_beta * t6;
-    const float t13 = (t5 * t8) - (t4 * t10);
-    const float t14 = (t5 * t12) - (t4 * t11);
-    const float t15 = 1.0f + ((t4 * t8) + (t5 * cos_beta));
-    const int t16 = 1.0e-6f < t15;
-    const int face_down = !t16; /* dish_3rps-face_down */
-    const float lean = face_down ? 1.0f : t15; /* dish_3rps-lean */
-    const float x_M = (r_m * ((t14 * t14) - (t13 * t13))) / (2.0f * lean); /* dish_3rps-x_M */
-    const float t17 = t1 / (4.0f * f);
-    const float D_P_x = d - ((d * t10) + (t17 * t8)); /* dish_3rps-D_P */
-    const float t18 = x_M - D_P_x;
-    const float y_M = ((r_m * t13) * t14) / lean; /* dish_3rps-y_M */
-    const float t19 = y_M + ((d * t11) + (t17 * t12));
+    const float n_P_x = (t4 * t10) - (t5 * t8); /* dish_3rps-n_P */
+    const float n_P_y = (t4 * t11) - (t5 * t12); /* dish_3rps-n_P */
+    const float n_P_z = (t4 * t8) + (t5 * cos_beta); /* dish_3rps-n_P */
+    const float t13 = 1.0f + n_P_z;
+    const int t14 = 1.0e-6f < t13;
+    const int face_down = !t14; /* dish_3rps-face_down */
+    const float lean = face_down ? 1.0f : t13; /* dish_3rps-lean */
+    /* dish_3rps-x_M */
+    const float x_M = (r_m * ((n_P_y * n_P_y) - (n_P_x * n_P_x))) / (2.0f * lean);
+    const float t15 = t1 / (4.0f * f);
+    const float D_P_x = d - ((d * t10) + (t15 * t8)); /* dish_3rps-D_P */
+    const float off_P_x = x_M - D_P_x; /* dish_3rps-off_P */
+    const float y_M = ((r_m * n_P_x) * n_P_y) / lean; /* dish_3rps-y_M */
+    const float off_P_y = y_M + ((d * t11) + (t15 * t12)); /* dish_3rps-off_P */
     const float sin_phi = sinf(phi);
     const float cos_phi = cosf(phi);
-    const float off_dish_x = (sin_phi * t19) - (cos_phi * t18); /* dish_3rps-off_dish */
+    const float off_dish_x = (sin_phi * off_P_y) - (cos_phi * off_P_x); /* dish_3rps-off_dish */
     if (face_down) {
       status = ARMILLARY_UNREACHABLE;
     }
     if (status >= 0) {
       off[0] = off_dish_x;
-      off[1] = -((sin_phi * t18) + (cos_phi * t19));
+      off[1] = -((sin_phi * off_P_x) + (cos_phi * off_P_y));
       off[2] = 0.0f;
     }
   }

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x95989627UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x873b4442UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -60,27 +60,29 @@ int dish_3rps_off_dish_f64(
     const double t10 = (t7 * t9) + (t6 * t6);
     const double t11 = t6 * (t9 - t7);
     const double t12 = sin_beta * t6;
-    const double t13 = (t5 * t8) - (t4 * t10);
-    const double t14 = (t5 * t12) - (t4 * t11);
-    const double t15 = 1.0 + ((t4 * t8) + (t5 * cos_beta));
-    const int t16 = 1.0e-6 < t15;
-    const int face_down = !t16; /* dish_3rps-face_down */
-    const double lean = face_down ? 1.0 : t15; /* dish_3rps-lean */
-    const double x_M = (r_m * ((t14 * t14) - (t13 * t13))) / (2.0 * lean); /* dish_3rps-x_M */
-    const double t17 = t1 / (4.0 * f);
-    const double D_P_x = d - ((d * t10) + (t17 * t8)); /* dish_3rps-D_P */
-    const double t18 = x_M - D_P_x;
-    const double y_M = ((r_m * t13) * t14) / lean; /* dish_3rps-y_M */
-    const double t19 = y_M + ((d * t11) + (t17 * t12));
+    const double n_P_x = (t4 * t10) - (t5 * t8); /* dish_3rps-n_P */
+    const double n_P_y = (t4 * t11) - (t5 * t12); /* dish_3rps-n_P */
+    const double n_P_z = (t4 * t8) + (t5 * cos_beta); /* dish_3rps-n_P */
+    const double t13 = 1.0 + n_P_z;
+    const int t14 = 1.0e-6 < t13;
+    const int face_down = !t14; /* dish_3rps-face_down */
+    const double lean = face_down ? 1.0 : t13; /* dish_3rps-lean */
+    /* dish_3rps-x_M */
+    const double x_M = (r_m * ((n_P_y * n_P_y) - (n_P_x * n_P_x))) / (2.0 * lean);
+    const double t15 = t1 / (4.0 * f);
+    const double D_P_x = d - ((d * t10) + (t15 * t8)); /* dish_3rps-D_P */
+    const double off_P_x = x_M - D_P_x; /* dish_3rps-off_P */
+    const double y_M = ((r_m * n_P_x) * n_P_y) / lean; /* dish_3rps-y_M */
+    const double off_P_y = y_M + ((d * t11) + (t15 * t12)); /* dish_3rps-off_P */
     const double sin_phi = sin(phi);
     const double cos_phi = cos(phi);
-    const double off_dish_x = (sin_phi * t19) - (cos_phi * t18); /* dish_3rps-off_dish */
+    const double off_dish_x = (sin_phi * off_P_y) - (cos_phi * off_P_x); /* dish_3rps-off_dish */
     if (face_down) {
       status = ARMILLARY_UNREACHABLE;
     }
     if (status >= 0) {
       off[0] = off_dish_x;
-      off[1] = -((sin_phi * t18) + (cos_phi * t19));
+      off[1] = -((sin_phi * off_P_x) + (cos_phi * off_P_y));
       off[2] = 0.0;
     }
   }

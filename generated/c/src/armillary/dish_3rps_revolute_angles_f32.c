@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x95989627UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x873b4442UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -63,33 +63,33 @@ int dish_3rps_revolute_angles_f32(
     const float t9 = t6 * t4;
     const float sin_beta = sinf(beta);
     const float cos_beta = cosf(beta);
-    const float t10 = (cos_beta * t5) + (sin_beta * t8);
-    const float t11 = (sin_beta * t5) - (cos_beta * t8);
-    const float t12 = (t7 * t11) - (t6 * t9);
-    const float t13 = (t6 * t11) + (t7 * t9);
-    const float t14 = 0.5f * (3.0f - t10);
-    const float t15 = 1.0f + t10;
-    const int t16 = 1.0e-6f < t15;
-    const int face_down = !t16; /* dish_3rps-face_down */
-    const float lean = face_down ? 1.0f : t15; /* dish_3rps-lean */
-    const float t17 = 1.0f / lean;
-    const float t18 = 2.0f * t17;
-    const float t19 = t1 / (4.0f * f);
-    /* dish_3rps-D_P, dish_3rps-z_M */
-    const float D_P_z = ((cos_beta * t19) - (sin_beta * (t7 * d))) + z_O;
+    const float n_P_z = (cos_beta * t5) + (sin_beta * t8); /* dish_3rps-n_P */
+    const float t10 = (sin_beta * t5) - (cos_beta * t8);
+    const float t11 = (t7 * t10) - (t6 * t9);
+    const float t12 = (t6 * t10) + (t7 * t9);
+    const float t13 = 0.5f * (3.0f - n_P_z);
+    const float t14 = 1.0f + n_P_z;
+    const int t15 = 1.0e-6f < t14;
+    const int face_down = !t15; /* dish_3rps-face_down */
+    const float lean = face_down ? 1.0f : t14; /* dish_3rps-lean */
+    const float t16 = 1.0f / lean;
+    const float t17 = 2.0f * t16;
+    const float t18 = t1 / (4.0f * f);
+    const float arm_D_z = (cos_beta * t18) - (sin_beta * (t7 * d)); /* dish_3rps-arm_D */
+    const float D_P_z = arm_D_z + z_O; /* dish_3rps-D_P, dish_3rps-z_M */
     float p_R_value[3];
     int no_rod = 0;
     for (int leg = 0; leg < 3; ++leg) {
-      const float t20 = (t12 * leg_constants[leg]) + (t13 * leg_constants_2[leg]);
-      const float rho = r_m * (t14 - (t18 * (t20 * t20))); /* dish_3rps-rho */
+      const float t19 = (t11 * leg_constants[leg]) + (t12 * leg_constants_2[leg]);
+      const float rho = r_m * (t13 - (t17 * (t19 * t19))); /* dish_3rps-rho */
       const float reach = rho - r_b; /* dish_3rps-reach */
-      const float h = D_P_z + (r_m * t20); /* dish_3rps-h */
+      const float h = D_P_z + (r_m * t19); /* dish_3rps-h */
       const float l_rod = sqrtf((reach * reach) + (h * h)); /* dish_3rps-l_rod */
-      const int t21 = 1.0e-6f < l_rod;
-      const float t22 = t21 ? h : 1.0e-6f;
-      p_R_value[leg] = atan2f(reach, t22); /* dish_3rps-p_R */
-      const int t23 = !t21;
-      no_rod = no_rod || t23; /* dish_3rps-no_rod */
+      const int t20 = 1.0e-6f < l_rod;
+      const float t21 = t20 ? h : 1.0e-6f;
+      p_R_value[leg] = atan2f(reach, t21); /* dish_3rps-p_R */
+      const int t22 = !t20;
+      no_rod = no_rod || t22; /* dish_3rps-no_rod */
     }
     if (face_down) {
       status = ARMILLARY_UNREACHABLE;

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x95989627UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x873b4442UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -65,26 +65,26 @@ int dish_3rps_rod_lengths_f64(
     const double t9 = t6 * t4;
     const double sin_beta = sin(beta);
     const double cos_beta = cos(beta);
-    const double t10 = (cos_beta * t5) + (sin_beta * t8);
-    const double t11 = (sin_beta * t5) - (cos_beta * t8);
-    const double t12 = (t7 * t11) - (t6 * t9);
-    const double t13 = (t6 * t11) + (t7 * t9);
-    const double t14 = 0.5 * (3.0 - t10);
-    const double t15 = 1.0 + t10;
-    const int t16 = 1.0e-6 < t15;
-    const int face_down = !t16; /* dish_3rps-face_down */
-    const double lean = face_down ? 1.0 : t15; /* dish_3rps-lean */
-    const double t17 = 1.0 / lean;
-    const double t18 = 2.0 * t17;
-    const double t19 = t1 / (4.0 * f);
-    /* dish_3rps-D_P, dish_3rps-z_M */
-    const double D_P_z = ((cos_beta * t19) - (sin_beta * (t7 * d))) + z_O;
+    const double n_P_z = (cos_beta * t5) + (sin_beta * t8); /* dish_3rps-n_P */
+    const double t10 = (sin_beta * t5) - (cos_beta * t8);
+    const double t11 = (t7 * t10) - (t6 * t9);
+    const double t12 = (t6 * t10) + (t7 * t9);
+    const double t13 = 0.5 * (3.0 - n_P_z);
+    const double t14 = 1.0 + n_P_z;
+    const int t15 = 1.0e-6 < t14;
+    const int face_down = !t15; /* dish_3rps-face_down */
+    const double lean = face_down ? 1.0 : t14; /* dish_3rps-lean */
+    const double t16 = 1.0 / lean;
+    const double t17 = 2.0 * t16;
+    const double t18 = t1 / (4.0 * f);
+    const double arm_D_z = (cos_beta * t18) - (sin_beta * (t7 * d)); /* dish_3rps-arm_D */
+    const double D_P_z = arm_D_z + z_O; /* dish_3rps-D_P, dish_3rps-z_M */
     double l_rod[3];
     for (int leg = 0; leg < 3; ++leg) {
-      const double t20 = (t12 * leg_constants[leg]) + (t13 * leg_constants_2[leg]);
-      const double rho = r_m * (t14 - (t18 * (t20 * t20))); /* dish_3rps-rho */
+      const double t19 = (t11 * leg_constants[leg]) + (t12 * leg_constants_2[leg]);
+      const double rho = r_m * (t13 - (t17 * (t19 * t19))); /* dish_3rps-rho */
       const double reach = rho - r_b; /* dish_3rps-reach */
-      const double h = D_P_z + (r_m * t20); /* dish_3rps-h */
+      const double h = D_P_z + (r_m * t19); /* dish_3rps-h */
       l_rod[leg] = sqrt((reach * reach) + (h * h)); /* dish_3rps-l_rod */
     }
     if (face_down) {
