@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import pytest
 
+from armillary.derivation.status import Status
 from tests.targets.compilers import needs
 from tests.targets.fuzz.driver import driver_source
 
@@ -15,6 +16,8 @@ SANITIZERS = "-fsanitize=address,undefined,float-divide-by-zero,float-cast-overf
 # Half of the calls and more lie in the working range; what is refused must not be the rule.
 LEAST_ACCEPTED = 0.6
 LEAST_ANSWERED = 0.15
+# Of what is searched for: numbers taken at random seldom fit together.
+LEAST_FOUND = 0.05
 
 
 def fuzz(printed, folder, compiler, flags, calls, kernels=None):
@@ -40,10 +43,14 @@ def fuzz(printed, folder, compiler, flags, calls, kernels=None):
 
 def hold(printed, report, calls):
     assert len(report) == 2 * len(printed.compiled)
+    known = {f"{system}_{kernel}": made for (system, kernel), made in printed.compiled.items()}
     for name, (called, accepted, answered) in report.items():
+        cases = known[name.rpartition("_")[0]].program.kernel.cases
+        searches = any(case.status is Status.NOT_CONVERGED for case in cases)
+        least = LEAST_FOUND if searches else LEAST_ANSWERED
         assert called == calls, name
         assert accepted >= LEAST_ACCEPTED * calls, f"{name}: {accepted} of {calls} accepted"
-        assert answered >= LEAST_ANSWERED * calls, f"{name}: {answered} of {calls} answered"
+        assert answered >= least * calls, f"{name}: {answered} of {calls} answered"
 
 
 @needs("gcc")
