@@ -222,6 +222,11 @@ for _q, _change, _spin, (_v, _reach, _h) in zip(
         tilting(n_q, partial(n_q, _q), 2 * shrink),
     )
     d.identity(
+        f"while {_q.name} runs, the S-joint moves as its position says",
+        _velocity,
+        partial(_platform.leg.joint, _q),
+    )
+    d.identity(
         f"while {_q.name} runs, the S-joint's velocity along the rod changes its length",
         _platform.leg.vector.dot(_velocity),
         reach_q * _reach + h_q * _h,

@@ -15,12 +15,10 @@ from armillary.algebra.rigid import Matrix, stack_twists
 from .dish import Omega_O
 from .facet import (
     M_P,
-    any_platform,
     arm_D,
     from_base,
     half_turn,
     lean,
-    n_any,
     n_P,
     platform,
     seen,
@@ -105,14 +103,6 @@ V_S = d.define(
     printed="20",
     latex=r"\mathbf{v}_S",
 )
-_position = any_platform.pose.position
-_moving = Twist(tilting(n_any, time_derivative(n_any)), time_derivative(_position))
-d.identity(
-    "so the S-joint moves as its position says, whatever the normal",
-    any_platform.leg.joint_velocity(_moving),
-    time_derivative(any_platform.leg.joint),
-)
-
 # ---- the rods ----
 
 reach_dot = d.define(

@@ -33,12 +33,13 @@ def verdict(kernels, parameters, results):
     )
     yield Prose(
         f"**The tuned PID {'keeps' if all_kept else 'does not keep'} the bounds: {words}.** The "
-        f"paper reports {parameters.tracking.found_error:g} mm for a plant that it does not describe. With the gain of the "
-        "error alone, the best that is stable, the compressed day costs "
-        f"{MM * day[P_ONLY]['peak']:.2f} mm: a spring under a weight, whose give the integral "
-        f"takes away. Feed-forward of weight and friction changes the PID's errors by {ahead}: it "
-        "knows what a rod that turns round will ask for; it knows neither the encoder's step, "
-        "which is the limit in real time, nor the wind."
+        f"paper reports {parameters.tracking.found_error:g} mm for a plant that it does not "
+        "describe. With the gain of the error alone, the best that is stable, the compressed day "
+        f"costs {MM * day[P_ONLY]['peak']:.2f} mm: a spring under a weight, whose give the "
+        f"integral takes away. Feed-forward of weight and friction changes the PID's errors by "
+        f"{ahead}: it knows what a rod that turns round will ask for; it knows neither the "
+        "encoder's step, which is the limit in real time, nor the wind. Rods that stick and slip "
+        "amplify roundings, so the last digits here are not the same on every machine."
     )
 
 
