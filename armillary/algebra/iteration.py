@@ -60,14 +60,15 @@ def solve(
     """The unknowns after a fixed number of Newton steps; nothing says that they converged.
 
     A kernel that returns them needs a case with NOT_CONVERGED on what is left of the residuals:
-    `substitute` puts the values found into them.
+    `substitute` puts the values found into them. Write it `~(left < bound)`: what is no number is
+    not converged either.
 
     Args:
         residuals: what should become zero: as many scalars as there are unknowns, at most three,
             or one that is per part of an index of that size.
         unknowns: symbols made by `d.unknown`, each with the value it starts from.
         name: of the iteration, which is a loop in C.
-        within: bounds that an unknown is held to after each step.
+        within: bounds that an unknown is held to after each step, though not at the start.
     """
     symbols = tuple(unknowns)
     rows, matrix = _system(residuals, symbols)

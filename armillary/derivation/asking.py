@@ -124,6 +124,17 @@ def as_states(
     return tuple(states)
 
 
+def check_no_state(
+    states: Sequence[Quantity], results: Mapping[str, Block], controller: str, source: Source
+) -> None:
+    """The new states come back under their names, so no other result may have one."""
+    for state in states:
+        if state.name in results:
+            raise DerivationError(
+                f"{state.name} is a state and a result of {controller}", "rename one", source
+            )
+
+
 def as_numbers(
     name: str, value: object, per: Index | None, source: Source
 ) -> tuple[sympy.Expr, ...]:

@@ -18,6 +18,7 @@ from armillary.derivation.asking import (
     as_outputs,
     as_states,
     check_arguments,
+    check_no_state,
     check_reach,
 )
 from armillary.derivation.checking import (
@@ -265,14 +266,11 @@ class Derivation(Quantities):
         init, update = f"{name}_init", f"{name}_update"
         kept = as_states(self, states, start, name, source)
         after = dict(as_named_outputs(self, outputs, update, source))
-        for state in kept:
-            if state.name in after:
-                raise DerivationError(
-                    f"{state.name} is a state and a result of {name}", "rename one", source
-                )
+        check_no_state(kept, after, name, source)
         started = {q.name: s.as_scalar(start[q]) for q in kept}
+        told = f"{(summary or name).rstrip('.')}: the states before the first update"
         made = Kernel(
-            self.name, init, f"{summary or name}: the states before the first update",
+            self.name, init, told,
             as_inputs(self, start_inputs, init, source), self.parameters,
             as_outputs(self, started, init, source), (), source, kept, "init", name,
         )  # fmt: skip

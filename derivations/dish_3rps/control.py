@@ -33,15 +33,15 @@ v_C = _gain(
 
 # ---- what is known at a sample ----
 
-l_ref = d.scalar(
-    "l_ref", "wanted length of the rod", unit=METRE, range=(0.0, 10.0), latex=r"l_\mathrm{ref}"
-)
+# A reading that no rod has is refused, so that it cannot stay in the states: what legal inputs make
+# of these is within their limits.
+_LENGTH = {"unit": METRE, "limits": (-100.0, 100.0), "range": (0.0, 10.0)}
+
+l_ref = d.scalar("l_ref", "wanted length of the rod", latex=r"l_\mathrm{ref}", **_LENGTH)
 l_dot_ref = d.scalar(
     "l_dot_ref", "its rate", unit=SPEED, range=(-1.0, 1.0), latex=r"\dot{l}_\mathrm{ref}"
 )
-l_measured = d.scalar(
-    "l_measured", "measured length of the rod", unit=METRE, range=(0.0, 10.0), latex=r"l_\mathrm{m}"
-)
+l_measured = d.scalar("l_measured", "measured length of the rod", latex=r"l_\mathrm{m}", **_LENGTH)
 F_ff = d.scalar(
     "F_ff",
     "force known beforehand, such as static_forces gives",
@@ -51,21 +51,29 @@ F_ff = d.scalar(
 )
 F_start = d.scalar(
     "F_start",
-    "force that the integral starts from: 0, or what holds the rod now",
+    "force that the integral starts from: 0, or what holds the rod now less what is fed forward",
     unit=NEWTON,
     range=(-1e3, 1e3),
     latex=r"F_0",
 )
 integral = d.state.scalar(
-    "integral", "integral part of the force", unit=NEWTON, range=(-1e4, 1e4), latex="J_I"
+    "integral",
+    "integral part of the force",
+    unit=NEWTON,
+    limits=(-1e20, 1e20),
+    range=(-1e4, 1e4),
+    latex="J_I",
 )
-v = d.state.scalar("v", "filtered speed of the rod", unit=SPEED, range=(-1.0, 1.0), latex="v")
+v = d.state.scalar(
+    "v",
+    "filtered speed of the rod",
+    unit=SPEED,
+    limits=(-1e10, 1e10),
+    range=(-1.0, 1.0),
+    latex="v",
+)
 l_before = d.state.scalar(
-    "l_before",
-    "length measured at the sample before",
-    unit=METRE,
-    range=(0.0, 10.0),
-    latex=r"l_{-}",
+    "l_before", "length measured at the sample before", latex=r"l_{-}", **_LENGTH
 )
 
 

@@ -175,7 +175,8 @@ d.kernel(
     outputs={"H_R_M": H_R_found, "M": M_found},
     cases=[(Status.NOT_CONVERGED, lost, "the search did not end on rods of these lengths")],
     summary="Rotation and point of the facet on rods of the lengths given, by eight steps of "
-    "Newton's method from a guess.",
+    "Newton's method from a guess. OK means rods of these lengths: where the facet stands nearly "
+    "on edge, only a close guess tells which of two poses.",
 )
 
 # ---- forces ----

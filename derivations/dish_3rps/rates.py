@@ -153,7 +153,7 @@ J_A = d.define(
     row(e),
     because="Only the velocity along the rod changes its length.",
     meaning="row i of the Jacobian from the facet's twist about its point to the rods' rates, {H}: "
-    "velocity first, then angular velocity, m",
+    "three columns in 1 for the velocity, then three in m for the angular velocity",
     printed="22",
     latex="J_A",
 )

@@ -66,7 +66,8 @@ l_rod = d.define(
     "l_rod",
     vector(reach, 0, h).norm(),
     because="A right triangle in the plane of the hinge.",
-    meaning="length of rod i",
+    meaning="length of rod i; rods 0, 1, 2 stand at 0, 120, -120 degrees from the way to the "
+    "dish's axis, counter-clockwise from above",
     printed="18",
     latex="l",
 )
@@ -105,7 +106,7 @@ l_all = d.define(
     "l_all",
     substitute(l_rod, _of_facet),
     because="The same closed form for each.",
-    meaning="length of rod i of facet N",
+    meaning="length of rod i of facet N: facets to the east, north, west and south",
     latex="l",
 )
 face_down_all = d.define(

@@ -21,8 +21,9 @@ def conditioning(kernels, sun, parameters):
     clock = hours(parameters)
     yield Heading("How well do the rods hold the facet?")
     yield Prose(
-        "The full Jacobian takes the facet's twist to the rates of its rods and to what its hinges "
-        "make zero. Its columns of angular velocity are divided by the characteristic length "
+        "All numbers here are with the inferred dimensions. The full Jacobian takes the facet's "
+        "twist to the rates of its rods and to what its hinges make zero. Its columns of "
+        "angular velocity are divided by the characteristic length "
         f"$r_m = {size['r_m']:g}$ m, so that all entries are pure numbers; the condition number, "
         "largest over smallest singular value, is 1 where every motion of the facet is held alike."
     )
@@ -32,7 +33,7 @@ def conditioning(kernels, sun, parameters):
     }
     yield Plot(
         "Condition number of the full Jacobian, the worst of the four facets.",
-        "Beijing time, h", Axis("condition number", log=True),
+        "clock time, h", Axis("condition number", log=True),
         [Curve(days[n], clock, c.max(axis=1)) for n, c in found.items()],
     )  # fmt: skip
     yield Table(

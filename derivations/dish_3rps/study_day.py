@@ -6,7 +6,7 @@ from armillary.verify.engines import need
 from armillary.verify.plots import Axis, Curve, Panels, Plot
 from armillary.verify.study import Column, Heading, Prose, Result, Table
 
-from .days import FACETS, MM, RODS
+from .days import FACETS, MM, NAMES, RODS
 from .tracking import (
     AHEAD,
     AHEAD_IN_CORNER,
@@ -44,10 +44,11 @@ def compressed(kernels, native, sun, parameters, results, tell):
     found = {name: figures(record, tracking.settling) for name, record in records.items()}
     clock = days.first + time * tracking.compression / 3600
     kept = time >= tracking.settling
-    yield Heading("Fig. 15 and Table 3: tracking through the June solstice")
+    yield Heading(f"Fig. 15 and Table 3: tracking through the day, {day_of(parameters)}")
     yield Prose(
-        f"The day from {days.first:g} to {days.last:g} h passes {tracking.compression:g} times as "
-        f"fast: {time[-1]:.0f} s. An error is the wanted length less the model's, taken before the "
+        f"With the inferred dimensions. The day from {days.first:g} to {days.last:g} h passes "
+        f"{tracking.compression:g} times as fast: {time[-1]:.0f} s. An error is the wanted "
+        "length less the model's, taken before the "
         "step that the law's force then makes, at every sample; a curve shows of each piece of "
         f"time the error that is largest. The first {tracking.settling:g} s are left out, where "
         "the loop takes up the weight that was not there at its start."
@@ -62,6 +63,12 @@ def compressed(kernels, native, sun, parameters, results, tell):
     yield Result("figures", {name: told(of) for name, of in found.items()})
 
 
+def day_of(parameters):
+    """The day of the tracking in words."""
+    number = int(parameters.tracking.day)
+    return NAMES.get(number, f"day {number}")
+
+
 def told(found):
     """What the summary needs of an experiment."""
     return {"peak": found.peak, "tilt": found.tilt}
@@ -73,7 +80,7 @@ def by_facet(record, clock, kept):
         "Fig. 15: errors of the rods under the tuned PID, without feed-forward.",
         [
             Plot(
-                f"({letter}) facet on the {facet} axis", "Beijing time, h", "error, mm",
+                f"({letter}) facet on the {facet} axis", "clock time, h", "error, mm",
                 [
                     Curve(name, *outline(clock[kept], MM * rods_of(record, k)[kept, i]))
                     for i, name in enumerate(RODS)
@@ -107,7 +114,7 @@ def law_by_law(records, clock, kept):
 
     return Plot(
         "The largest error of the twelve rods through the compressed day.",
-        "Beijing time, h",
+        "clock time, h",
         Axis("largest error, mm", log=True),
         [
             Curve(name, *outline(clock[kept], worst(name)))
@@ -141,22 +148,16 @@ def first_rod(found):
               ("means", "peaks")]
         for law in LAWS
     }  # fmt: skip
-    words = "; ".join(
-        f"{law}: {rms} by the root mean square, {peak} by the largest"
+    words = {
+        law: f"on {rms} by the root mean square and on {peak} by the largest error"
         for law, (rms, peak) in counts.items()
-    )
-    always = all(min(both) == len(FACETS) for both in counts.values())
+    }
+    holds = "holds" if min(counts[PID]) == len(FACETS) else "does not hold"
+    others = "; ".join(f"under {law} {words[law]}" for law in LAWS if law != PID)
     return Prose(
         "The paper finds the error of rod 1 the smallest on all facets, since it moves least. "
-        f"Facets, of four, on which it is: {words}. "
-        + (
-            "**The claim holds.**"
-            if always
-            else "**The claim does not hold for every law and facet.** Under P alone the error is "
-            "the load over the gain, and rod 1 carries no less than the others. Under PID what "
-            "counts is where a rod turns round against its friction, which the rods that move "
-            "least do as well; and a rod that hardly moves at all sticks the longest."
-        )
+        f"Under the paper's law, the tuned PID, it is so {words[PID]} of {len(FACETS)} facets: "
+        f"**the claim {holds}.** (Beside it, {others}.)"
     )
 
 

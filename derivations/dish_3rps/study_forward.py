@@ -30,8 +30,9 @@ def forward(kernels, sun, parameters):
     rows, sure = basin(kernels, sun, parameters, size)
     yield Table(
         "Share of searches that end at the right pose, by how far the guessed axis of the dish is "
-        "off and by the tilt of the dish; share of all that end at another pose; and steps of "
-        "those that end right. Rods of all four facets through the year.",
+        "off and by the tilt of the dish; share of all that end at another pose; and steps to 1 µm "
+        "of those that end right, counted with a copy of the search in NumPy. Rods of all four "
+        "facets through the year.",
         [
             Column("axis off by", "degrees", ".0f"),
             *(Column(f"tilt {low:g} to {high:g}", "%", ".2f") for low, high in pairwise(EDGES)),
@@ -137,7 +138,8 @@ def maps(kernels, sun, parameters, size):
         )  # fmt: skip
     return Panels(
         "Steps until the rods of facet +X are within a micron, by the guessed attitude of the "
-        "dish; no colour where it ends elsewhere or nowhere. The pose is just below the word.",
+        "dish; no colour where it ends elsewhere or nowhere. The pose is marked 'pose'. "
+        "Counted with a copy of the search in NumPy.",
         panels,
     )
 

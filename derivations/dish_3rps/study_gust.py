@@ -60,8 +60,9 @@ def the_wind(parameters):
     given, rest = parameters.gust, parameters.tracking.window_settling
     yield Heading("Tracking in the wind")
     yield Prose(
-        f"From {clock_words(parameters.days.first)}, where the facets lean most, in real time and "
-        f"after {rest:g} s of calm. One gust of {given.length:g} s, {given.peak:g} N at its peak, "
+        f"From {clock_words(parameters.days.first)}, when the dish leans almost as far as on the "
+        f"whole day, in real time and after {rest:g} s of calm. One gust of "
+        f"{given.length:g} s, {given.peak:g} N at its peak, "
         "presses on all four mirrors along their normals. Then each facet has a train of such "
         f"gusts of its own for {given.train:g} s, with random peaks of both signs up to "
         f"{given.peak:g} N and random pauses. No law is told of the wind."

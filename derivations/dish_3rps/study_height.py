@@ -17,6 +17,7 @@ YEAR_STEP = 30.0  # minutes
 PRINTED_GENERATION = 75
 FLOOR = 1e-5  # mm, where the plot of convergence ends
 SMALL = 1e-4  # m, a step of z_O for slopes
+SAME = 0.005  # mm, half the last digit of the paper's height
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,9 @@ def height(kernels, sun, parameters, tell):
     low, high = feasible(rods, limits)
     yield Heading("Fig. 5: the height of the dish")
     yield statement(limits)
+    if not low < high:
+        yield infeasible(limits, low, high)
+        return
     yield interval(rods, sun, limits, low, high, parameters)
     yield over_height(rods, low, high, limits, parameters)
     found = []
@@ -71,15 +75,21 @@ class Rods:
 
 
 def feasible(rods, limits):
-    """Where the shortest rod reaches its limit, and where the longest does.
+    """Where the shortest rod reaches its limit, and where the longest does; NaN where never.
 
     Both grow with z_O as long as the rods point upward, so that each has one root.
     """
     brentq = need("scipy.optimize").brentq
     reach = (0.1 * limits.longest, 2 * limits.longest)
-    low = brentq(lambda z: rods.ends(z)[0] - limits.shortest, *reach, xtol=1e-12)
-    high = brentq(lambda z: rods.ends(z)[1] - limits.longest, *reach, xtol=1e-12)
-    return low, high
+
+    def root(gap):
+        there = gap(reach[0]) * gap(reach[1]) <= 0
+        return brentq(gap, *reach, xtol=1e-12) if there else np.nan
+
+    return (
+        root(lambda z: rods.ends(z)[0] - limits.shortest),
+        root(lambda z: rods.ends(z)[1] - limits.longest),
+    )
 
 
 def statement(limits):
@@ -97,22 +107,37 @@ def statement(limits):
     )
 
 
+def infeasible(limits, low, high):
+    """No height keeps all rods within their limits."""
+    found = (
+        f"the shortest rod is long enough only above {MM * low:.2f} mm, the longest short enough "
+        f"only below {MM * high:.2f} mm"
+        if np.isfinite(low) and np.isfinite(high)
+        else f"a limit is reached at no height up to {MM * 2 * limits.longest:.0f} mm"
+    )
+    return Prose(
+        f"**With the inferred dimensions, as they are set here, no $z_O$ is feasible**: {found}. "
+        "So nothing is left to be chosen, and the questions of this part have no answer."
+    )
+
+
 def interval(rods, sun, limits, low, high, parameters):
     """The feasible interval in words."""
     ends = {z: rods.ends(z) for z in (low, high)}
     strokes = [MM * (b - a) for a, b in ends.values()]
-    z_O = parameters.nominal.z_O
+    z_O = parameters.rods.found_height
     inside = "in it" if low <= z_O <= high else "not in it"
     year = feasible(Rods(rods.kernels, sun, parameters, YEAR_STEP, YEAR), limits)
+    left = f"{MM * year[0]:.2f} to {MM * year[1]:.2f} mm" if year[0] < year[1] else "no height"
+    changed = abs(strokes[1] - strokes[0]) / (MM * (high - low))
     return Prose(
-        f"**Feasible is $z_O$ from {MM * low:.2f} to {MM * high:.2f} mm**, {MM * (high - low):.0f} "
-        f"mm wide; the paper's {MM * z_O:.2f} mm is {inside}. All days of the year leave "
-        f"{MM * year[0]:.2f} to {MM * year[1]:.2f} mm. At the lower end the shortest rod measures "
+        f"**With the inferred dimensions feasible is $z_O$ from {MM * low:.2f} to "
+        f"{MM * high:.2f} mm**, {MM * (high - low):.0f} mm wide; the paper's {MM * z_O:.2f} mm is "
+        f"{inside}. All days of the year leave {left}. At the lower end the shortest rod measures "
         f"{MM * limits.shortest:.0f} mm, at the upper end the longest {MM * limits.longest:.0f}. "
         "From one end to the other the stroke, longest less shortest, "
-        f"goes from {strokes[0]:.2f} to {strokes[1]:.2f} mm: **the height does not change the "
-        "stroke, only where in the sections' range it lies.** Whether two sections suffice is "
-        "decided by the other dimensions."
+        f"goes from {strokes[0]:.2f} to {strokes[1]:.2f} mm, which is {100 * changed:.2g}% of the "
+        "way between them: what the height chooses is where in the sections' range the stroke lies."
     )
 
 
@@ -128,7 +153,7 @@ def over_height(rods, low, high, limits, parameters):
     ]  # fmt: skip
     marks = [
         Mark(MM * limits.longest, ""), Mark(MM * limits.shortest, ""),
-        Mark(MM * parameters.nominal.z_O, "the paper's", across=True),
+        Mark(MM * parameters.rods.found_height, "the paper's", across=True),
     ]  # fmt: skip
     return Plot(
         "Rods over the feasible heights.",
@@ -182,7 +207,7 @@ def optimum(rods, objective, low, high):
 
 def best(rods, found, parameters, low, high):
     """A row for each objective."""
-    z_O = parameters.nominal.z_O
+    z_O = parameters.rods.found_height
     rows = []
     for objective, _, z, search in found:
         at_end = "lower end" if z - low < 1e-9 else "upper end" if high - z < 1e-9 else "inside"
@@ -202,16 +227,31 @@ def best(rods, found, parameters, low, high):
         ],
         rows,
     )  # fmt: skip
+    yield chosen(rows, parameters.rods)
+
+
+def chosen(rows, limits):
+    """How far the answers are apart, and how far from the paper's."""
     worst = max(1e-6, *(row[4] for row in rows))
     inner = [row[2] for row in rows if row[3] == "inside"]
+    spread = (
+        f"{len(inner)} of {len(rows)} objectives have an optimum inside, from {min(inner):.0f} to "
+        f"{max(inner):.0f} mm; the others run to an end"
+        if inner
+        else "all objectives run to an end"
+    )
     nearest = min(rows, key=lambda row: abs(row[5]))
-    yield Prose(
+    room = (rows[0][6] - MM * limits.shortest, MM * limits.longest - rows[0][7])
+    return Prose(
         f"Both searches agree within {10 ** np.ceil(np.log10(worst)):g} mm. **The answer hangs on "
-        f"the question**: the objectives with an optimum inside spread over {min(inner):.0f} to "
-        f"{max(inner):.0f} mm, the others run to an end. Who wants room at both ends "
-        f"of the sections asks for the minimax: {rows[0][2]:.2f} mm, which leaves "
-        f"{rows[0][6] - MM * parameters.rods.shortest:.1f} mm at each end. None gives the paper's "
-        f"{MM * z_O:.2f} mm; the nearest, {nearest[0]}, is {abs(nearest[5]):.1f} mm off."
+        f"the question**: {spread}. Who wants room at both ends of the sections asks for the "
+        f"minimax: {rows[0][2]:.2f} mm, which leaves {room[0]:.1f} and {room[1]:.1f} mm at the "
+        + (
+            f"ends. None gives the paper's {MM * limits.found_height:.2f} mm; the nearest, "
+            if abs(nearest[5]) > SAME
+            else f"ends. Nearest to the paper's {MM * limits.found_height:.2f} mm, "
+        )
+        + f"{nearest[0]}, is {abs(nearest[5]):.2f} mm off."
     )
 
 
@@ -232,10 +272,12 @@ def convergence(found, low, high, tell):
         [Mark(PRINTED_GENERATION, "the paper's 75th", across=True)],
     )  # fmt: skip
     at = MM * abs(grown.way[min(PRINTED_GENERATION, len(grown.way)) - 1] - z)
+    tried = []
+    local(lambda x: tried.append(x) or value(x), low, high)
     yield Prose(
         f"With {PEOPLE} candidates the genetic algorithm is {at:.1g} mm off in generation "
-        f"{PRINTED_GENERATION}; differential evolution ends at the last digit of the objective. A "
-        "search over one number needs neither: a bracketing search takes some thirty evaluations."
+        f"{PRINTED_GENERATION}; differential evolution ends {MM * abs(search.best - z):.1g} mm "
+        f"off. A search over one number needs neither: Brent's takes {len(tried)} evaluations."
     )
 
 
@@ -244,15 +286,19 @@ def convergence(found, low, high, tell):
 
 def searched(rods, parameters, low, high):
     """Which question has the paper's height as its answer."""
-    limits, z_O = parameters.rods, parameters.nominal.z_O
+    limits, z_O = parameters.rods, parameters.rods.found_height
     below = MM * (limits.found_shortest - limits.shortest)
     above = MM * (limits.longest - limits.found_longest)
+    out = [
+        *(["it is at no end of the feasible interval, where the sum has its least value"]
+          if min(below, above) > 0 else []),
+        *(["it is not the minimax, which leaves equal room"] if below != above else []),
+    ]  # fmt: skip
     yield Heading("Which question has the paper's height as its answer?")
     yield Prose(
         "Whatever Table 1 was, the paper's own extremes exclude some: at its height the shortest "
         f"rod is {below:.0f} mm above the lower limit and the longest {above:.0f} mm below the "
-        "upper one. So it is at no end of the feasible interval, where the sum has its least "
-        "value, and it is not the minimax, which leaves equal room."
+        "upper one." + (f" So {', and '.join(out)}." if out else "")
     )
     rows = list(by_days(rods, parameters, low, high))
     nearest = min(rows, key=lambda row: abs(row[2]))
@@ -267,16 +313,16 @@ def searched(rods, parameters, low, high):
         rows,
     )  # fmt: skip
     yield Prose(
-        f"With the nominal dimensions, which are inferred, no objective that we tried gives "
-        f"{MM * z_O:.2f} mm; the nearest of these ({nearest[0]}) is {abs(nearest[2]):.1f} mm "
-        "off. With other dimensions that also give the paper's extremes, least squares gives it "
-        "(see Table 1). The text does not determine the paper's objective."
+        "With the nominal dimensions, which are inferred, least squares about the middle comes "
+        f"nearest to the paper's {MM * z_O:.2f} mm with these suns: {nearest[0]}, "
+        f"{abs(nearest[2]):.2f} mm off. What it gives with other dimensions stands below, where "
+        "Table 1 is guessed. The text does not say which objective the paper took."
     )
 
 
 def by_days(rods, parameters, low, high):
     """A row for all days and for each."""
-    limits, z_O = parameters.rods, parameters.nominal.z_O
+    limits, z_O = parameters.rods, parameters.rods.found_height
     middle = (limits.shortest + limits.longest) / 2
     groups = {"all days": slice(None)}
     groups |= {name: slice(k, k + 1) for k, name in enumerate(day_names(parameters).values())}

@@ -35,6 +35,7 @@ def model(kernels, sun, parameters):
     size, days = mount(kernels, parameters), day_names(parameters)
     clock = hours(parameters)
     yield Heading("What the paper's facet is worth in millimetres")
+    yield frames()
     yield told(size)
     rows, gaps, lost = [], [], [0, 0]
     for n, name in days.items():
@@ -63,7 +64,7 @@ def model(kernels, sun, parameters):
         ],
         gaps,
     )  # fmt: skip
-    yield answer(rows, gaps, lost)
+    yield answer(rows, gaps, lost, parameters.tracking.found_error)
 
 
 def compared(kernels, size, angles, name, lost):
@@ -78,6 +79,16 @@ def compared(kernels, size, angles, name, lost):
             name, reading, MM * np.abs(found.l - own).max(), MM * np.abs(found.off_plane).max(),
             np.nanmax(off), MM * found.l.min(), MM * found.l.max(),
         )  # fmt: skip
+
+
+def frames():
+    """What the letters of the frames stand for."""
+    return Prose(
+        "All numbers here are with the inferred dimensions. {H} is the dish's level frame: its "
+        "origin is on the ground below the dish's vertex, its axes point east, north and up. {P} "
+        "is the frame of a facet's base, which the hinges stand on: level too, its origin on the "
+        "ground at the distance $d$ from that of {H}, its $x$ axis towards that of {H}."
+    )
 
 
 def told(size):
@@ -141,7 +152,7 @@ def over_the_day(kernels, sun, parameters, size):
             caption,
             [
                 Plot(
-                    f"facet {facet}", "Beijing time, h", "mm",
+                    f"facet {facet}", "clock time, h", "mm",
                     [Curve(name, clock, s[:, k]) for name, s in sizes.items()],
                 )
                 for k, facet in enumerate(FACETS)
@@ -149,7 +160,7 @@ def over_the_day(kernels, sun, parameters, size):
         )  # fmt: skip
 
 
-def answer(rows, gaps, lost):
+def answer(rows, gaps, lost, reported):
     """The sizes, in a sentence."""
     worst = {
         name: [max(row[k] for row in rows if row[1] == name) for k in (2, 4)] for name in READINGS
@@ -157,14 +168,16 @@ def answer(rows, gaps, lost):
     parts = "; ".join(
         f"{name}, {off:.0f} mm and {turn:.0f} mrad" for name, (off, turn) in worst.items()
     )
+    times = [off / reported for off, _ in worst.values()]
     gap = max(max(row[1:5]) for row in gaps)
     torsion = max(max(abs(row[5]), abs(row[6])) for row in gaps)
     return Prose(
-        "**The paper's rods are off by centimetres, and a machine that is driven by them points "
-        f"off by many milliradians**, at most: {parts}. (At {lost[0]} of {lost[1]} poses such rods "
+        "**How far the paper's rods are off, and how far a machine that is driven by them points "
+        f"off, at most: {parts}.** (At {lost[0]} of {lost[1]} poses such rods "
         "belong to no pose near the wanted one.) The sun's disc is 9.3 mrad wide. No choice of "
         "rods can place the facet as (13) wants: its point would have to leave the "
         f"place that the hinges allow by up to {gap:.0f} mm, and the facet to twist by up to "
-        f"{torsion:.1f} degrees. Beside this the tracking errors of 2.6 mm that the paper reports "
-        "are small: they compare the rods with set lengths that come from the same model."
+        f"{torsion:.1f} degrees. The rods are off by {min(times):.3g} to {max(times):.3g} times "
+        f"the {reported:g} mm of tracking error that the paper reports, which is against set "
+        "lengths that come from the same model."
     )

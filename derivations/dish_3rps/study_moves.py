@@ -9,7 +9,7 @@ from armillary.verify.study import Column, Heading, Prose, Table
 from .days import FACETS, MM, attitude, clock_words, toward
 from .drawing import EYE_AZIMUTH, EYE_ELEVATION, GAP, NORMAL, seen
 from .multibody import bases, ring
-from .study_day import MRAD
+from .study_day import MRAD, day_of
 from .tracking import AHEAD, PID, Stage, figures, follow, outline
 
 CLOCK = (10.0, 12.0, 14.0)  # of Fig. 16
@@ -51,10 +51,15 @@ def moves(kernels, native, sun, parameters, results, tell):
         ],
     )
     yield table(runs)
-    yield Prose(
-        "A rod at rest may be held by its integral and by its friction in any shares. What is fed "
-        "forward for the friction comes on top of what the integral holds already: "
-        "feed-forward does not spare a move its beginning, only the turning round on the way."
+    words = (f"The move {name}: {laws(of['rows'])}." for name, of in runs.items())
+    yield Prose(" ".join(words))
+
+
+def laws(rows):
+    """What each law comes to in a move."""
+    return "; ".join(
+        f"under {law} a rod is off by up to {peak:.3f} mm and a normal by up to {tilt:.3f} mrad"
+        for law, peak, tilt, *_ in rows
     )
 
 
@@ -131,7 +136,7 @@ def attitudes_in_mujoco(kernels, native, sun, parameters, results):
         f"As it stands in MuJoCo after {settling:g} s under the tuned PID in real time, seen "
         f"from azimuth {EYE_AZIMUTH:.0f} degrees, {EYE_ELEVATION:.0f} degrees above the horizon."
     )
-    yield Panels("Fig. 16: the concentrator on the June solstice.", drawings)
+    yield Panels(f"Fig. 16: the concentrator, {day_of(parameters)}.", drawings)
     yield Table(
         "Fig. 16 in numbers: the facets' points M in MuJoCo, and how far they and the normals are "
         "from where they should be.",

@@ -30,7 +30,7 @@ def receiver(kernels, sun, parameters):
         "with the normals of the dish.",
         [
             Plot(
-                name, "Beijing time, h", "miss, mm",
+                name, "clock time, h", "miss, mm",
                 [Curve(facet, clock, found[n]["miss"][:, k]) for k, facet in enumerate(FACETS)],
             )
             for n, name in days.items()
@@ -78,14 +78,15 @@ def why(found, still):
     miss = max(one["miss"].max() for one in found.values())
     aside = max(one["aside"].max() for one in found.values())
     return Prose(
-        f"**With perfect rods and the normals of the dish the central ray misses the focus by up "
-        f"to {miss:.0f} mm.** Nothing is adjusted wrongly: a facet whose point were on the dish "
-        "would send the ray into the focus, but the hinges keep the facet above its base, up to "
+        f"**With the inferred dimensions, perfect rods and the normals of the dish the central ray "
+        f"misses the focus by up to {miss:.0f} mm.** Nothing is adjusted wrongly: a "
+        "facet whose point were on the dish would send the ray into the focus, but the hinges "
+        "keep the facet above its base, up to "
         f"{aside:.0f} mm aside of the dish's point. A flat facet at another place with the same "
         "normal sends a parallel ray, that far beside the focus as the step aside is seen across "
         f"the ray. Even with the sun at the zenith {still:.1f} mm are left. The paper, which takes "
-        "the facet's point to be on the dish, does not see it; its receiver would have to be as "
-        "large as the miss."
+        "the facet's point to be on the dish, does not see it; the radius of its receiver "
+        "would have to be as large as the miss."
     )
 
 
@@ -102,7 +103,7 @@ def bisected(found, days, clock, parameters):
         "Angle by which the normal that aims at the receiver differs from that of the dish.",
         [
             Plot(
-                name, "Beijing time, h", "angle, mrad",
+                name, "clock time, h", "angle, mrad",
                 [Curve(facet, clock, found[n]["turned"][:, k]) for k, facet in enumerate(FACETS)],
             )
             for n, name in days.items()

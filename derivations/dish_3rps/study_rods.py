@@ -36,7 +36,7 @@ def rods(kernels, sun, parameters):
             f"Fig. 6 ({letter}): the rods of the four facets, {name}.",
             [
                 Plot(
-                    f"facet {facet}", "Beijing time, h", "length, mm",
+                    f"facet {facet}", "clock time, h", "length, mm",
                     [Curve(rod, clock, lengths[n][:, k, i]) for i, rod in enumerate(RODS)],
                 )
                 for k, facet in enumerate(FACETS)
@@ -90,6 +90,13 @@ def suffice(lengths, parameters):
     low, high = l.min(), l.max()
     off = [low - MM * limits.found_shortest, high - MM * limits.found_longest]
     inside = MM * limits.shortest <= low and high <= MM * limits.longest
+    left = MM * 2 * limits.shortest - high
+    overlap = (
+        f"At its longest a rod's sections then overlap by {left:.0f} mm, the bearing length that "
+        "carries its bending; the paper sets no least overlap."
+        if left > 0
+        else f"At its longest a rod's sections are {-left:.0f} mm too short to meet."
+    )
     return Prose(
         f"**The rods measure {low:.2f} to {high:.2f} mm**; the paper has "
         f"{MM * limits.found_shortest:.0f} and {MM * limits.found_longest:.0f}, which is "
@@ -97,9 +104,7 @@ def suffice(lengths, parameters):
         "two). Rod 1 is the one that stands on the dish's side of its facet. The rods "
         f"{'stay' if inside else 'do not stay'} within {MM * limits.shortest:.0f} to "
         f"{MM * limits.longest:.0f} mm, so that two sections of {MM * limits.shortest:.0f} mm "
-        f"{'suffice' if inside else 'do not suffice'} by the paper's count. At its longest a rod's "
-        f"sections then overlap by {MM * 2 * limits.shortest - high:.0f} mm, the bearing length "
-        "that carries its bending; the paper sets no least overlap."
+        f"{'suffice' if inside else 'do not suffice'} by the paper's count. {overlap}"
     )
 
 
@@ -118,11 +123,12 @@ def through_the_year(kernels, sun, parameters, size, lengths):
     )  # fmt: skip
     four_days = np.concatenate([day.ravel() for day in lengths.values()])
     first, last = YEAR[np.argmin(low)], YEAR[np.argmax(high)]
+    beyond = (four_days.min() - low.min(), high.max() - four_days.max())
+    hold = "do not hold" if max(beyond) > 0 else "hold"
     yield Prose(
-        "The four days do not hold the year's extremes, because the clock's hours are not the "
-        f"sundial's: the shortest rod of the year, {low.min():.1f} mm on day {first}, is "
-        f"{four_days.min() - low.min():.1f} mm shorter than theirs, the longest, {high.max():.1f} "
-        f"mm on day {last}, {high.max() - four_days.max():.1f} mm longer."
+        f"The four days {hold} the year's extremes: the shortest rod of the year is "
+        f"{low.min():.1f} mm on day {first}, where theirs is {four_days.min():.1f}, the longest "
+        f"{high.max():.1f} mm on day {last}, where theirs is {four_days.max():.1f}."
     )
 
 
@@ -145,7 +151,7 @@ def speeds(kernels, sun, parameters, size, days):
         rows.append((name, found[t, facet, rod], where, *found.max(axis=(0, 1))))
         curves.append(Curve(name, clock, found.reshape(len(clock), -1).max(axis=1)))
     yield Plot(
-        "The fastest of the twelve rods.", "Beijing time, h", Axis("speed, mm/min", low=0.0), curves
+        "The fastest of the twelve rods.", "clock time, h", Axis("speed, mm/min", low=0.0), curves
     )
     yield Table(
         "Largest speed of the rods.",
@@ -158,9 +164,13 @@ def speeds(kernels, sun, parameters, size, days):
     fastest = max(row[1] for row in rows)
     slowest = all(row[3] <= min(row[4:]) for row in rows)
     yield Prose(
-        f"No rod goes faster than {fastest:.1f} mm/min ({fastest / 60:.2f} mm/s): following the "
-        "sun is slow, and what loads the drives is weight and wind. Rod 1, on the dish's side, "
-        f"{'is' if slowest else 'is not'} the slowest of the three on every day, at most "
-        f"{max(row[3] for row in rows):.1f} mm/min: it moves least, as the paper says when it "
-        "explains why the error of rod 1 is the smallest."
+        f"No rod goes faster than {fastest:.1f} mm/min ({fastest / 60:.2f} mm/s). "
+        f"Rod 1, on the dish's side, {'is' if slowest else 'is not'} the slowest of the three on "
+        f"every day, at most {max(row[3] for row in rows):.1f} mm/min"
+        + (
+            ": it moves least, as the paper says when it explains why the error of rod 1 is the "
+            "smallest."
+            if slowest
+            else ", where the paper has it move least."
+        )
     )

@@ -54,7 +54,7 @@ class Search:
         weights[:, [0, -1]] = 0.5
         self.weights = weights.ravel()
         self.corners = {name: a[:, [0, -1]].ravel() for name, a in angles.items()}
-        self.z_O = parameters.nominal.z_O
+        self.z_O = parameters.rods.found_height
         limits = parameters.rods
         self.wanted = np.array([limits.found_shortest, limits.found_longest])
 
@@ -221,6 +221,7 @@ def answer(search, members, found, rows, parameters):
     """What is determined."""
     array = MM * np.array(members)
     sums = array[:, 1] + array[:, 3]
+    round_sums = [MM * (d + r_m) for _, _, _, _, d, _, r_m, *_ in found]
     names = ("f", "d", "r_b", "r_m")
     heights = [MM * best_height(search, dict(zip(names, m, strict=True))) for m in members]
     size = mount(search.kernels, parameters)
@@ -228,23 +229,29 @@ def answer(search, members, found, rows, parameters):
     nearest = min(rows, key=lambda row: abs(row[10] - MM * search.z_O))
     s, miss = ([row[k] for row in rows] for k in (8, 9))
     nominal = parameters.nominal
+    among = "one among" if any(row[0] == "nominal" for row in rows) else "not among"
     return Prose(
         "The rods know $D$ and $\\theta_\\mathrm{rim}$ only through the focal length: four "
         "dimensions, $f$, $d$, $r_b$ and $r_m$, for two numbers in the text. **What these two "
         "determine is the reach of the outer joints from the dish's axis, $d + r_m$**: over the "
-        f"{len(members)} members of the family it is {sums.min():.0f} to {sums.max():.0f} mm. The "
-        f"rest is free: $d$ goes from {array[:, 1].min():.0f} to {array[:, 1].max():.0f} mm, $r_m$ "
-        f"from {array[:, 3].min():.0f} to {array[:, 3].max():.0f}. Of round numbers (steps of "
+        f"{len(members)} members of the family it is {sums.min():.0f} to {sums.max():.0f} mm, and "
+        f"{min(*round_sums, sums.min()):.0f} to {max(*round_sums, sums.max()):.0f} with the round "
+        "sets below. The rest is free: in the family $d$ goes from "
+        f"{array[:, 1].min():.0f} to {array[:, 1].max():.0f} mm, $r_m$ from "
+        f"{array[:, 3].min():.0f} to {array[:, 3].max():.0f}. Of round numbers (steps of "
         f"{MM * STEP:.0f} mm, {len(DIAMETERS)} diameters, {len(RIMS)} edge angles) {len(found)} "
-        f"sets come within {WITHIN:g} mm. **The nominal set is one among them, inferred and not "
+        f"sets come within {WITHIN:g} mm. **The nominal set is {among} them, inferred and not "
         f"known**: $D$ = {nominal.D:g} m, $\\theta_\\mathrm{{rim}}$ = {nominal.theta_rim:g} "
         f"degrees, $d$ = {nominal.d:g} m, $r_b$ = {nominal.r_b:g} m and $r_m$ = {nominal.r_m:g} m "
-        f"give {low:.2f} and {high:.2f} mm. What this study concludes hardly hangs on the guess: "
-        f"over the sets of the table the largest S-joint angle is {min(s):.0f} to {max(s):.0f} "
-        f"degrees and the largest miss {min(miss):.0f} to {max(miss):.0f} mm. The height by least "
-        f"squares does: {min(heights):.0f} to {max(heights):.0f} mm over the family, and "
-        f"{nearest[10]:.1f} mm for set {nearest[0]}, so that the paper's {MM * search.z_O:.2f} mm "
-        "may be that of other dimensions. All this takes the rods to be those of the consistent "
+        f"give {low:.2f} and {high:.2f} mm at the paper's "
+        f"height, {MM * search.z_O:.2f} mm. Two conclusions of this study were computed again for "
+        "the sets of the table, on the study's days: the largest S-joint angle is "
+        f"{min(s):.0f} to {max(s):.0f} degrees and the largest miss {min(miss):.0f} to "
+        f"{max(miss):.0f} mm. The height by least squares is {min(heights):.0f} to "
+        f"{max(heights):.0f} mm over the family; of the sets of the table, set {nearest[0]} comes "
+        f"nearest to the paper's, {abs(nearest[10] - MM * search.z_O):.1f} mm off. The rest "
+        "of the study was computed with the nominal dimensions only. "
+        "All this takes the rods to be those of the consistent "
         "facet; if the paper computed them by a reading of its own, the dimensions are others "
         "again."
     )

@@ -8,6 +8,8 @@ from armillary.verify.study import Column, Heading, Prose, Table
 from .days import apart, attitude, clock_words, day_names, hours, mount, place, toward, whole_study
 
 NOON = 12.0
+SOLSTICES = (172, 355)  # June, December
+NOT_SOLSTICES = "where the paper has the summer and the winter solstice"
 TURN = 2 * np.pi
 FINE = 1.0  # minutes
 PRINTED_TERM, SPENCER_TERM = 0.0409, 0.040849
@@ -19,14 +21,14 @@ def sun_paths(kernels, sun, parameters):
     clock, days = hours(parameters, FINE), day_names(parameters)
     paths = {n: path(sun, parameters, n, clock) for n in days}
     yield Plot(
-        "Fig. 4 (a): altitude of the sun.", "Beijing time, h", "altitude, degrees",
+        "Fig. 4 (a): altitude of the sun.", "clock time, h", "altitude, degrees",
         [Curve(days[n], clock[::5], p["altitude"][::5]) for n, p in paths.items()],
     )  # fmt: skip
     yield Panels(
         "Fig. 4 (b): azimuth of the sun, which the paper's caption calls zenith angle.",
         [
             Plot(
-                name, "Beijing time, h", "azimuth, degrees",
+                name, "clock time, h", "azimuth, degrees",
                 [Curve(days[n], clock[::5], p[key][::5]) for n, p in paths.items()],
             )
             for name, key in (("from north, clockwise", "azimuth"), ("by (29)", "printed"))
@@ -35,7 +37,7 @@ def sun_paths(kernels, sun, parameters):
     yield Table(
         "The sun on the four days, azimuth from north.",
         [
-            "day", Column("equation of time", "min", ".2f"), Column("highest at", "Beijing time"),
+            "day", Column("equation of time", "min", ".2f"), Column("highest at", "clock time"),
             Column("highest", "degrees", ".2f"), *ends(parameters, "altitude"),
             *ends(parameters, "azimuth"),
         ],
@@ -88,9 +90,11 @@ def claims(days, paths):
     high = max(paths, key=lambda n: paths[n]["azimuth"].max())
     tops = {n: p["altitude"].max() for n, p in paths.items()}
     way = "grows throughout" if least > 0 else "does not grow throughout"
+    top, bottom = (pick(tops, key=tops.get) for pick in (max, min))
+    agrees = "as the paper says" if (top, bottom) == SOLSTICES else NOT_SOLSTICES
     return Prose(
-        f"The altitude is highest on the {days[max(tops, key=tops.get)]} and lowest on the "
-        f"{days[min(tops, key=tops.get)]}, as the paper says. It calls the azimuth monotonic and "
+        f"The altitude is highest on the {days[top]} and lowest on the {days[bottom]}, {agrees}. "
+        "The paper calls the azimuth monotonic and "
         f"decreasing: from north and clockwise, and by (29) just so, **the azimuth {way}** (at "
         f"least {60 * least:.1f} degrees an hour); what decreases is the Euler angle $\\alpha$ of "
         "(16). The paper puts its largest value on the summer and its smallest on the winter "
@@ -125,8 +129,8 @@ def equinoxes(days, paths, clock):
     yield Prose(
         "The equinoxes are nearly equal, says the paper. By the clock they differ by up to "
         f"{rows[0][1]:.1f} degrees of altitude and {rows[0][2]:.1f} of azimuth, because the "
-        f"equation of time sets them {apart_by:.1f} minutes apart; by the sundial the paper is "
-        "right."
+        f"equation of time sets them {apart_by:.1f} minutes apart; by the sundial by up to "
+        f"{rows[1][1]:.2f} and {rows[1][2]:.2f} degrees."
     )
 
 
@@ -188,7 +192,7 @@ def minutes_as_hours(sun, parameters, days):
     late = max(abs(row[1]) for row in rows) * (1 - 1 / 60)
     yield Heading("What (32) does to the clock")
     yield Table(
-        "True solar time at 12:00 Beijing time, and the same by (32) as printed.",
+        "True solar time at 12:00 by the clock, and the same by (32) as printed.",
         [
             "day", Column("$E_t$ by (34)", "min", ".2f"), Column("true solar time", "h", ".3f"),
             Column("by (32)", "h", ".3f"), Column("altitude", "degrees", ".1f"),

@@ -21,12 +21,8 @@ def verdict(kernels, parameters, results):
     yield Heading("How exactly can the dish be driven?")
     yield table(bounds, found)
     day = found["day compressed"]
-    peaks = [MM * of[PID]["peak"] for of in found.values()]
-    all_kept = all(peak <= bound for peak, bound in zip(peaks, bounds, strict=True))
-    words = "; ".join(
-        f"{peak:.3f} mm in {where}, where {bound:g} mm was aimed at"
-        for peak, bound, (_, _, where) in zip(peaks, bounds, EXPERIMENTS, strict=True)
-    )
+    all_kept, words = kept(found, bounds, PID, ", where {:g} mm was aimed at")
+    firm, in_corner = kept(found, bounds, IN_CORNER, "")
     ahead = ", ".join(
         f"{100 * (of[AHEAD]['peak'] / of[PID]['peak'] - 1):+.0f}% in {where}"
         for of, (_, _, where) in zip(found.values(), EXPERIMENTS, strict=True)
@@ -35,12 +31,34 @@ def verdict(kernels, parameters, results):
         f"**The tuned PID {'keeps' if all_kept else 'does not keep'} the bounds: {words}.** The "
         f"paper reports {parameters.tracking.found_error:g} mm for a plant that it does not "
         "describe. With the gain of the error alone, the best that is stable, the compressed day "
-        f"costs {MM * day[P_ONLY]['peak']:.2f} mm: a spring under a weight, whose give the "
-        f"integral takes away. Feed-forward of weight and friction changes the PID's errors by "
-        f"{ahead}: it knows what a rod that turns round will ask for; it knows neither the "
-        "encoder's step, which is the limit in real time, nor the wind. Rods that stick and slip "
+        f"costs {MM * day[P_ONLY]['peak']:.2f} mm. Feed-forward of weight and friction "
+        f"changes the PID's errors by {ahead}. On the corner plant, with the same gains, the PID "
+        f"{'keeps' if firm else 'does not keep'} the bounds: {in_corner}. Rods that stick and slip "
         "amplify roundings, so the last digits here are not the same on every machine."
     )
+    yield Prose(real(parameters.tracking, results["turns"]))
+
+
+def real(tracking, turns):
+    """What is meant by real time."""
+    minutes = tracking.window / 60
+    outside = turns["all"] - turns["inside"]
+    return (
+        f"Real time means the {len(tracking.windows)} windows of {minutes:g} minutes and not the "
+        f"day: of the {turns['all']} times that a rod turns round through the day, "
+        f"{turns['inside']} are in the windows"
+        + (f"; the {outside} outside them were not run." if outside else ".")
+    )
+
+
+def kept(found, bounds, law, aimed):
+    """Whether a law keeps all bounds, and its errors in words."""
+    peaks = [MM * of[law]["peak"] for of in found.values()]
+    words = "; ".join(
+        f"{peak:.3f} mm in {where}" + aimed.format(bound)
+        for peak, bound, (_, _, where) in zip(peaks, bounds, EXPERIMENTS, strict=True)
+    )
+    return all(peak <= bound for peak, bound in zip(peaks, bounds, strict=True)), words
 
 
 def table(bounds, found):

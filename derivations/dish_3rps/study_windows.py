@@ -62,10 +62,8 @@ def real_time(kernels, native, sun, parameters, results):
     yield Heading("Tracking in real time")
     yield Prose(
         f"Windows of {minutes:g} minutes at the sun's own pace, the first "
-        f"{tracking.window_settling:g} s of each left out. What limits the laws here is the "
-        f"encoder with its step of {MICRO * parameters.plant.encoder:g} µm: even the fastest rod "
-        "takes many sampling periods from one step to the next, and till then the law hears "
-        "nothing."
+        f"{tracking.window_settling:g} s of each left out. The law hears the lengths "
+        f"in the encoder's steps of {MICRO * parameters.plant.encoder:g} µm."
     )
     yield Panels(
         "The largest error of the twelve rods in real time.",
@@ -79,7 +77,7 @@ def real_time(kernels, native, sun, parameters, results):
     )  # fmt: skip
     yield table(tracking.windows, found, minutes)
     yield softness(Stage(kernels, native, sun, parameters, results["gains"]), found[CHECKED])
-    yield the_rest(native, sun, parameters, results, kernels)
+    yield from the_rest(native, sun, parameters, results, kernels)
     yield Result(
         "windows",
         {n: {what: max(of[n][what] for of in found) for what in ("peak", "tilt")} for n in NAMES},
@@ -108,12 +106,14 @@ def softness(stage, found):
     speed = creep(stage, HELD, CREEPING)
     window = stage.parameters.tracking.window
     half, whole = found[HALVED], found[PID]
+    start = clock_words(stage.parameters.tracking.windows[CHECKED])
     return Prose(
         "Dry friction in MuJoCo is soft: a rod that it holds against "
         f"{100 * HELD:.0f}% of what it can hold creeps by {1e9 * speed:.0f} nm/s, "
-        f"{MICRO * speed * window:.0f} µm in a window; half the step halves that. With half the "
-        f"step the PID's largest error at noon goes from {MICRO * whole['peak']:.1f} to "
-        f"{MICRO * half['peak']:.1f} µm, its root mean square from {MICRO * whole['rms']:.2f} to "
+        f"{MICRO * speed * window:.0f} µm in a window. With half the "
+        f"step the PID's largest error in the window from {start} goes from "
+        f"{MICRO * whole['peak']:.1f} to {MICRO * half['peak']:.1f} µm, its root mean "
+        f"square from {MICRO * whole['rms']:.2f} to "
         f"{MICRO * half['rms']:.2f} µm."
     )
 
@@ -140,12 +140,15 @@ def the_rest(native, sun, parameters, results, kernels):
     within = sum(one for *_, one in turns)
     slow = np.abs(np.diff(forces, axis=0)).max() / np.diff(time).max()
     k_i = stage.gains["PID"][1]
-    return Prose(
+    heard = parameters.plant.encoder / (speeds[inside].max() * parameters.control.T_S)
+    yield Result("turns", {"all": len(turns), "inside": within})
+    yield Prose(
         "The rest of the day is quasi-static. The fastest rod of the windows makes "
-        f"{MICRO * speeds[inside].max():.1f} µm/s, the fastest of the day "
-        f"{MICRO * speeds.max():.1f}; the load of a rod never changes by more than "
-        f"{1000 * slow:.0f} mN/s, which costs a PID "
+        f"{MICRO * speeds[inside].max():.1f} µm/s, {heard:.0f} sampling periods from one step of "
+        f"the encoder to the next, the fastest of the day {MICRO * speeds.max():.1f}; "
+        f"the load of a rod never changes by more than {1000 * slow:.0f} mN/s, which costs a PID "
         f"{1e9 * slow / k_i:.2g} nm; and what is left, the turning round of rods against "
         f"their friction, happens {len(turns)} times: {words}. "
-        f"{within} of these are in the windows."
+        f"{within} of these are in the windows"
+        + ("; the others were not run in real time." if within < len(turns) else ".")
     )

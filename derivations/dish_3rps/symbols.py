@@ -57,7 +57,12 @@ r_m = d.parameter.length(
     "r_m", "radius of the circle of the platform joints", range=(0.2, 1.0), latex="r_m", **_SIZE
 )
 z_O = d.parameter.length(
-    "z_O", "height of the dish's vertex above the ground", range=(1.0, 10.0), latex="z_O", **_SIZE
+    "z_O",
+    "height of the dish's vertex above the origin of {H}, "
+    "whose axes are East-North-Up on the ground below it",
+    range=(1.0, 10.0),
+    latex="z_O",
+    **_SIZE,
 )
 phi = d.parameter.angle(
     "phi", "azimuth of the facet from the east, counter-clockwise", latex=r"\varphi"
@@ -180,6 +185,6 @@ statics_tolerance = d.constant(
 receiver_tolerance = d.constant(
     "receiver_tolerance",
     "1e-5",
-    "tangent of half the angle between normal and bisector that a search may leave",
+    "angle in rad, by component, between normal and bisector that a search may leave",
     latex=r"\tau_b",
 )

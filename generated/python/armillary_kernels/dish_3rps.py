@@ -120,7 +120,8 @@ def facet(*, alpha, beta, f, d, r_m, z_O, phi, r_b=None, K_P=None, K_I=None, K_D
         f: focal length of the dish, m
         d: distance from the dish's axis to the facet's point, m
         r_m: radius of the circle of the platform joints, m
-        z_O: height of the dish's vertex above the ground, m
+        z_O: height of the dish's vertex above the origin of {H}, whose axes are East-North-Up on
+            the ground below it, m
         phi: azimuth of the facet from the east, counter-clockwise, rad
         r_b, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C: accepted and not read
 
@@ -291,12 +292,14 @@ def rod_lengths(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, K_
         d: distance from the dish's axis to the facet's point, m
         r_b: radius of the circle of the base joints, m
         r_m: radius of the circle of the platform joints, m
-        z_O: height of the dish's vertex above the ground, m
+        z_O: height of the dish's vertex above the origin of {H}, whose axes are East-North-Up on
+            the ground below it, m
         phi: azimuth of the facet from the east, counter-clockwise, rad
         K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C: accepted and not read
 
     Returns:
-        l: length of rod i, m, shape (..., 3)
+        l: length of rod i; rods 0, 1, 2 stand at 0, 120, -120 degrees from the way to the dish's
+            axis, counter-clockwise from above, m, shape (..., 3)
         status -3 (UNREACHABLE): the facet hangs face down
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
@@ -375,11 +378,13 @@ def rod_lengths_all(*, alpha, beta, f, d, r_b, r_m, z_O, phi=None, K_P=None, K_I
         d: distance from the dish's axis to the facet's point, m
         r_b: radius of the circle of the base joints, m
         r_m: radius of the circle of the platform joints, m
-        z_O: height of the dish's vertex above the ground, m
+        z_O: height of the dish's vertex above the origin of {H}, whose axes are East-North-Up on
+            the ground below it, m
         phi, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C: accepted and not read
 
     Returns:
-        l: length of rod i of facet N, m, shape (..., 4, 3)
+        l: length of rod i of facet N: facets to the east, north, west and south, m, shape (...,
+            4, 3)
         status -3 (UNREACHABLE): a facet hangs face down
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
@@ -471,7 +476,8 @@ def rod_rates(*, alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_b, r_m, z_O, p
         d: distance from the dish's axis to the facet's point, m
         r_b: radius of the circle of the base joints, m
         r_m: radius of the circle of the platform joints, m
-        z_O: height of the dish's vertex above the ground, m
+        z_O: height of the dish's vertex above the origin of {H}, whose axes are East-North-Up on
+            the ground below it, m
         phi: azimuth of the facet from the east, counter-clockwise, rad
         K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C: accepted and not read
 
@@ -684,13 +690,15 @@ def jacobian_a(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, K_D
         d: distance from the dish's axis to the facet's point, m
         r_b: radius of the circle of the base joints, m
         r_m: radius of the circle of the platform joints, m
-        z_O: height of the dish's vertex above the ground, m
+        z_O: height of the dish's vertex above the origin of {H}, whose axes are East-North-Up on
+            the ground below it, m
         phi: azimuth of the facet from the east, counter-clockwise, rad
         K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C: accepted and not read
 
     Returns:
         J_A: row i of the Jacobian from the facet's twist about its point to the rods' rates, {H}:
-            velocity first, then angular velocity, m, shape (..., 3, 6)
+            three columns in 1 for the velocity, then three in m for the angular velocity, shape
+            (..., 3, 6)
         status -3 (UNREACHABLE): the facet hangs face down
         status -3 (UNREACHABLE): a rod has no length
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
@@ -916,7 +924,8 @@ def jacobian_full(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, 
         d: distance from the dish's axis to the facet's point, m
         r_b: radius of the circle of the base joints, m
         r_m: radius of the circle of the platform joints, m
-        z_O: height of the dish's vertex above the ground, m
+        z_O: height of the dish's vertex above the origin of {H}, whose axes are East-North-Up on
+            the ground below it, m
         phi: azimuth of the facet from the east, counter-clockwise, rad
         K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C: accepted and not read
 
@@ -1073,7 +1082,8 @@ def jacobian_passive(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=Non
         d: distance from the dish's axis to the facet's point, m
         r_b: radius of the circle of the base joints, m
         r_m: radius of the circle of the platform joints, m
-        z_O: height of the dish's vertex above the ground, m
+        z_O: height of the dish's vertex above the origin of {H}, whose axes are East-North-Up on
+            the ground below it, m
         phi: azimuth of the facet from the east, counter-clockwise, rad
         K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C: accepted and not read
 
@@ -1199,7 +1209,8 @@ def passive_rates(*, alpha, beta, alpha_dot, beta_dot, z_dot, f, d, r_b, r_m, z_
         d: distance from the dish's axis to the facet's point, m
         r_b: radius of the circle of the base joints, m
         r_m: radius of the circle of the platform joints, m
-        z_O: height of the dish's vertex above the ground, m
+        z_O: height of the dish's vertex above the origin of {H}, whose axes are East-North-Up on
+            the ground below it, m
         phi: azimuth of the facet from the east, counter-clockwise, rad
         K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C: accepted and not read
 
@@ -1310,7 +1321,8 @@ def joint_angles(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None, K
         d: distance from the dish's axis to the facet's point, m
         r_b: radius of the circle of the base joints, m
         r_m: radius of the circle of the platform joints, m
-        z_O: height of the dish's vertex above the ground, m
+        z_O: height of the dish's vertex above the origin of {H}, whose axes are East-North-Up on
+            the ground below it, m
         phi: azimuth of the facet from the east, counter-clockwise, rad
         K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C: accepted and not read
 
@@ -1407,7 +1419,8 @@ def revolute_angles(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None
         d: distance from the dish's axis to the facet's point, m
         r_b: radius of the circle of the base joints, m
         r_m: radius of the circle of the platform joints, m
-        z_O: height of the dish's vertex above the ground, m
+        z_O: height of the dish's vertex above the origin of {H}, whose axes are East-North-Up on
+            the ground below it, m
         phi: azimuth of the facet from the east, counter-clockwise, rad
         K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C: accepted and not read
 
@@ -1490,7 +1503,8 @@ class ForwardResult(NamedTuple):
 def forward(*, l, guess, f, d, r_b, r_m, phi, z_O=None, K_P=None, K_I=None, K_D=None, T_D=None,
     T_S=None, F_max=None, K_V=None, F_C=None, v_C=None):
     """Rotation and point of the facet on rods of the lengths given, by eight steps of Newton's
-    method from a guess.
+    method from a guess. OK means rods of these lengths: where the facet stands nearly on edge,
+    only a close guess tells which of two poses.
 
     1807 flops (1037 mul, 748 add, 21 div, 1 sqrt), 6 sin/cos, 0 atan2
 
@@ -1700,7 +1714,8 @@ def static_forces(*, alpha, beta, mass, centre, f_d, n_d, g, f, d, r_b, r_m, z_O
         d: distance from the dish's axis to the facet's point, m
         r_b: radius of the circle of the base joints, m
         r_m: radius of the circle of the platform joints, m
-        z_O: height of the dish's vertex above the ground, m
+        z_O: height of the dish's vertex above the origin of {H}, whose axes are East-North-Up on
+            the ground below it, m
         phi: azimuth of the facet from the east, counter-clockwise, rad
         K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C: accepted and not read
 
@@ -1876,7 +1891,8 @@ def central_ray(*, alpha, beta, f, d, r_m, z_O, phi, r_b=None, K_P=None, K_I=Non
         f: focal length of the dish, m
         d: distance from the dish's axis to the facet's point, m
         r_m: radius of the circle of the platform joints, m
-        z_O: height of the dish's vertex above the ground, m
+        z_O: height of the dish's vertex above the origin of {H}, whose axes are East-North-Up on
+            the ground below it, m
         phi: azimuth of the facet from the east, counter-clockwise, rad
         r_b, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C: accepted and not read
 
@@ -1973,7 +1989,8 @@ def aim_at_receiver(*, alpha, beta, f, d, r_b, r_m, z_O, phi, K_P=None, K_I=None
         d: distance from the dish's axis to the facet's point, m
         r_b: radius of the circle of the base joints, m
         r_m: radius of the circle of the platform joints, m
-        z_O: height of the dish's vertex above the ground, m
+        z_O: height of the dish's vertex above the origin of {H}, whose axes are East-North-Up on
+            the ground below it, m
         phi: azimuth of the facet from the east, counter-clockwise, rad
         K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C: accepted and not read
 
@@ -2174,13 +2191,14 @@ def rod_control_init(*, l_measured, F_start, f=None, d=None, r_b=None, r_m=None,
     phi=None, K_P=None, K_I=None, K_D=None, T_D=None, T_S=None, F_max=None, K_V=None, F_C=None,
     v_C=None):
     """Force of a rod's drive: PID with a filtered rate, feed-forward and an integral that does
-    not wind up.: the states before the first update.
+    not wind up: the states before the first update.
 
     0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2
 
     Args:
         l_measured: measured length of the rod, m
-        F_start: force that the integral starts from: 0, or what holds the rod now, N
+        F_start: force that the integral starts from: 0, or what holds the rod now less what is
+            fed forward, N
         f, d, r_b, r_m, z_O, phi, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C: accepted and not
             read
 
@@ -2191,7 +2209,7 @@ def rod_control_init(*, l_measured, F_start, f=None, d=None, r_b=None, r_m=None,
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
-        ("l_measured", l_measured, -1000000.0, 1000000.0, 6.25),
+        ("l_measured", l_measured, -100.0, 100.0, 6.25),
         ("F_start", F_start, -1000000.0, 1000000.0, 250.0),
     )
     xp = call.xp
@@ -2248,12 +2266,12 @@ def rod_control_update(*, integral, v, l_before, l_ref, l_dot_ref, l_measured, F
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
-        ("integral", integral, -1000000.0, 1000000.0, 2500.0),
-        ("v", v, -1000000.0, 1000000.0, 0.25),
-        ("l_before", l_before, -1000000.0, 1000000.0, 6.25),
-        ("l_ref", l_ref, -1000000.0, 1000000.0, 6.25),
+        ("integral", integral, -1e+20, 1e+20, 2500.0),
+        ("v", v, -10000000000.0, 10000000000.0, 0.25),
+        ("l_before", l_before, -100.0, 100.0, 6.25),
+        ("l_ref", l_ref, -100.0, 100.0, 6.25),
         ("l_dot_ref", l_dot_ref, -1000000.0, 1000000.0, 0.25),
-        ("l_measured", l_measured, -1000000.0, 1000000.0, 6.25),
+        ("l_measured", l_measured, -100.0, 100.0, 6.25),
         ("F_ff", F_ff, -1000000.0, 1000000.0, 250.0),
         ("K_P", K_P, 0.0, 1000000000000.0, 6250000.0),
         ("K_I", K_I, 0.0, 1000000000000.0, 625000000.0),

@@ -24,7 +24,7 @@ struct kernel {
   const char *name;
   const struct quantity *quantities;
   int count, inputs, outputs;
-  int apart; /* inputs and outputs must not overlap */
+  int apart;        /* inputs and outputs must not overlap */
   unsigned allowed; /* bit status + 8 */
   int (*call)(const REAL *in, REAL *out);
 };

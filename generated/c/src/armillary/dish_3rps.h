@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_DISH_3RPS_ABI 0x873b4442UL
+#define ARMILLARY_DISH_3RPS_ABI 0x1619fc69UL
 
 #ifdef __cplusplus
 extern "C" {
@@ -37,8 +37,8 @@ typedef struct {
   /** Radius of the circle of the platform joints, m, refused outside [0, 1000], working range
       [0.2, 1]. */
   float r_m;
-  /** Height of the dish's vertex above the ground, m, refused outside [0, 1000], working range
-      [1, 10]. */
+  /** Height of the dish's vertex above the origin of {H}, whose axes are East-North-Up on the
+      ground below it, m, refused outside [0, 1000], working range [1, 10]. */
   float z_O;
   /** Azimuth of the facet from the east, counter-clockwise, rad, refused outside [-1000, 1000],
       working range [-3.2, 3.2]. */
@@ -142,7 +142,8 @@ int dish_3rps_off_dish_f32(const dish_3rps_params_f32 *p, float alpha, float bet
  *     outside [-1000, 1000], working range [-3.2, 3.2]
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
  *     working range [0, 1.4]
- * @param[out] l length of rod i, for each leg, m (dish_3rps-l_rod)
+ * @param[out] l length of rod i; rods 0, 1, 2 stand at 0, 120, -120 degrees from the way to the
+ *     dish's axis, counter-clockwise from above, for each leg, m (dish_3rps-l_rod)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  */
@@ -157,8 +158,8 @@ int dish_3rps_rod_lengths_f32(const dish_3rps_params_f32 *p, float alpha, float 
  *     outside [-1000, 1000], working range [-3.2, 3.2]
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
  *     working range [0, 1.4]
- * @param[out] l length of rod i of facet N, for each facet and leg, 4 by 3, row-major, m
- *     (dish_3rps-l_all)
+ * @param[out] l length of rod i of facet N: facets to the east, north, west and south, for each
+ *     facet and leg, 4 by 3, row-major, m (dish_3rps-l_all)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a facet hangs face down
  */
@@ -223,8 +224,8 @@ int dish_3rps_facet_rates_f32(
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
  *     working range [0, 1.4]
  * @param[out] J_A row i of the Jacobian from the facet's twist about its point to the rods'
- *     rates, {H}: velocity first, then angular velocity, m, for each leg, 3 by 6, row-major
- *     (dish_3rps-J_A)
+ *     rates, {H}: three columns in 1 for the velocity, then three in m for the angular velocity,
+ *     for each leg, 3 by 6, row-major (dish_3rps-J_A)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
@@ -347,7 +348,8 @@ int dish_3rps_revolute_angles_f32(
 
 /**
  * @brief Rotation and point of the facet on rods of the lengths given, by eight steps of
- *     Newton's method from a guess.
+ *     Newton's method from a guess. OK means rods of these lengths: where the facet stands
+ *     nearly on edge, only a close guess tells which of two poses.
  *
  * Cost: 1807 flops (1037 mul, 748 add, 21 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
@@ -440,26 +442,26 @@ int dish_3rps_aim_at_receiver_f32(
 
 /** State of the rod control, kept from call to call. */
 typedef struct {
-  /** Integral part of the force, N, refused outside [-1e+06, 1e+06], working range [-10000,
+  /** Integral part of the force, N, refused outside [-1e+20, 1e+20], working range [-10000,
       10000]. */
   float integral;
-  /** Filtered speed of the rod, m/s, refused outside [-1e+06, 1e+06], working range [-1, 1]. */
+  /** Filtered speed of the rod, m/s, refused outside [-1e+10, 1e+10], working range [-1, 1]. */
   float v;
-  /** Length measured at the sample before, m, refused outside [-1e+06, 1e+06], working range [0,
-      10]. */
+  /** Length measured at the sample before, m, refused outside [-100, 100], working range [0, 10].
+      */
   float l_before;
 } dish_3rps_rod_control_state_f32;
 
 /**
  * @brief Force of a rod's drive: PID with a filtered rate, feed-forward and an integral that
- *     does not wind up.: the states before the first update.
+ *     does not wind up: the states before the first update.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
- * @param[in] l_measured measured length of the rod, m, refused outside [-1e+06, 1e+06], working
+ * @param[in] l_measured measured length of the rod, m, refused outside [-100, 100], working
  *     range [0, 10]
- * @param[in] F_start force that the integral starts from: 0, or what holds the rod now, N,
- *     refused outside [-1e+06, 1e+06], working range [-1000, 1000]
+ * @param[in] F_start force that the integral starts from: 0, or what holds the rod now less what
+ *     is fed forward, N, refused outside [-1e+06, 1e+06], working range [-1000, 1000]
  * @param[out] s state of the rod control
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -474,10 +476,10 @@ int dish_3rps_rod_control_init_f32(
  * Cost: 24 flops (8 mul, 13 add, 3 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: f, d, r_b, r_m, z_O, phi
  * @param[in,out] s state of the rod control; untouched where the status is negative
- * @param[in] l_ref wanted length of the rod, m, refused outside [-1e+06, 1e+06], working range
- *     [0, 10]
+ * @param[in] l_ref wanted length of the rod, m, refused outside [-100, 100], working range [0,
+ *     10]
  * @param[in] l_dot_ref its rate, m/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
- * @param[in] l_measured measured length of the rod, m, refused outside [-1e+06, 1e+06], working
+ * @param[in] l_measured measured length of the rod, m, refused outside [-100, 100], working
  *     range [0, 10]
  * @param[in] F_ff force known beforehand, such as static_forces gives, N, refused outside
  *     [-1e+06, 1e+06], working range [-1000, 1000]
@@ -503,8 +505,8 @@ typedef struct {
   /** Radius of the circle of the platform joints, m, refused outside [0, 1000], working range
       [0.2, 1]. */
   double r_m;
-  /** Height of the dish's vertex above the ground, m, refused outside [0, 1000], working range
-      [1, 10]. */
+  /** Height of the dish's vertex above the origin of {H}, whose axes are East-North-Up on the
+      ground below it, m, refused outside [0, 1000], working range [1, 10]. */
   double z_O;
   /** Azimuth of the facet from the east, counter-clockwise, rad, refused outside [-1000, 1000],
       working range [-3.2, 3.2]. */
@@ -609,7 +611,8 @@ int dish_3rps_off_dish_f64(
  *     outside [-1000, 1000], working range [-3.2, 3.2]
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
  *     working range [0, 1.4]
- * @param[out] l length of rod i, for each leg, m (dish_3rps-l_rod)
+ * @param[out] l length of rod i; rods 0, 1, 2 stand at 0, 120, -120 degrees from the way to the
+ *     dish's axis, counter-clockwise from above, for each leg, m (dish_3rps-l_rod)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  */
@@ -625,8 +628,8 @@ int dish_3rps_rod_lengths_f64(
  *     outside [-1000, 1000], working range [-3.2, 3.2]
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
  *     working range [0, 1.4]
- * @param[out] l length of rod i of facet N, for each facet and leg, 4 by 3, row-major, m
- *     (dish_3rps-l_all)
+ * @param[out] l length of rod i of facet N: facets to the east, north, west and south, for each
+ *     facet and leg, 4 by 3, row-major, m (dish_3rps-l_all)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a facet hangs face down
  */
@@ -691,8 +694,8 @@ int dish_3rps_facet_rates_f64(
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
  *     working range [0, 1.4]
  * @param[out] J_A row i of the Jacobian from the facet's twist about its point to the rods'
- *     rates, {H}: velocity first, then angular velocity, m, for each leg, 3 by 6, row-major
- *     (dish_3rps-J_A)
+ *     rates, {H}: three columns in 1 for the velocity, then three in m for the angular velocity,
+ *     for each leg, 3 by 6, row-major (dish_3rps-J_A)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
@@ -816,7 +819,8 @@ int dish_3rps_revolute_angles_f64(
 
 /**
  * @brief Rotation and point of the facet on rods of the lengths given, by eight steps of
- *     Newton's method from a guess.
+ *     Newton's method from a guess. OK means rods of these lengths: where the facet stands
+ *     nearly on edge, only a close guess tells which of two poses.
  *
  * Cost: 1807 flops (1037 mul, 748 add, 21 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
@@ -909,26 +913,26 @@ int dish_3rps_aim_at_receiver_f64(
 
 /** State of the rod control, kept from call to call. */
 typedef struct {
-  /** Integral part of the force, N, refused outside [-1e+06, 1e+06], working range [-10000,
+  /** Integral part of the force, N, refused outside [-1e+20, 1e+20], working range [-10000,
       10000]. */
   double integral;
-  /** Filtered speed of the rod, m/s, refused outside [-1e+06, 1e+06], working range [-1, 1]. */
+  /** Filtered speed of the rod, m/s, refused outside [-1e+10, 1e+10], working range [-1, 1]. */
   double v;
-  /** Length measured at the sample before, m, refused outside [-1e+06, 1e+06], working range [0,
-      10]. */
+  /** Length measured at the sample before, m, refused outside [-100, 100], working range [0, 10].
+      */
   double l_before;
 } dish_3rps_rod_control_state_f64;
 
 /**
  * @brief Force of a rod's drive: PID with a filtered rate, feed-forward and an integral that
- *     does not wind up.: the states before the first update.
+ *     does not wind up: the states before the first update.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
- * @param[in] l_measured measured length of the rod, m, refused outside [-1e+06, 1e+06], working
+ * @param[in] l_measured measured length of the rod, m, refused outside [-100, 100], working
  *     range [0, 10]
- * @param[in] F_start force that the integral starts from: 0, or what holds the rod now, N,
- *     refused outside [-1e+06, 1e+06], working range [-1000, 1000]
+ * @param[in] F_start force that the integral starts from: 0, or what holds the rod now less what
+ *     is fed forward, N, refused outside [-1e+06, 1e+06], working range [-1000, 1000]
  * @param[out] s state of the rod control
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -943,10 +947,10 @@ int dish_3rps_rod_control_init_f64(
  * Cost: 24 flops (8 mul, 13 add, 3 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: f, d, r_b, r_m, z_O, phi
  * @param[in,out] s state of the rod control; untouched where the status is negative
- * @param[in] l_ref wanted length of the rod, m, refused outside [-1e+06, 1e+06], working range
- *     [0, 10]
+ * @param[in] l_ref wanted length of the rod, m, refused outside [-100, 100], working range [0,
+ *     10]
  * @param[in] l_dot_ref its rate, m/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
- * @param[in] l_measured measured length of the rod, m, refused outside [-1e+06, 1e+06], working
+ * @param[in] l_measured measured length of the rod, m, refused outside [-100, 100], working
  *     range [0, 10]
  * @param[in] F_ff force known beforehand, such as static_forces gives, N, refused outside
  *     [-1e+06, 1e+06], working range [-1000, 1000]

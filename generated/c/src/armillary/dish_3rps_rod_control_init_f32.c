@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x873b4442UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x1619fc69UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -24,10 +24,10 @@ int dish_3rps_rod_control_init_f32(
   int status = ARMILLARY_OK;
   (void)p;
 
-  if (!(fabsf(l_measured) <= 1.0e6f) ||
+  if (!(fabsf(l_measured) <= 100.0f) ||
       !(fabsf(F_start) <= 1.0e6f)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(l_measured) <= FLT_MAX) && !(fabsf(l_measured) <= 1.0e6f)) ||
+    if (((fabsf(l_measured) <= FLT_MAX) && !(fabsf(l_measured) <= 100.0f)) ||
         ((fabsf(F_start) <= FLT_MAX) && !(fabsf(F_start) <= 1.0e6f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x873b4442UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x1619fc69UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -26,10 +26,10 @@ int dish_3rps_rod_control_init_f64(
   int status = ARMILLARY_OK;
   (void)p;
 
-  if (!(fabs(l_measured) <= 1.0e6) ||
+  if (!(fabs(l_measured) <= 100.0) ||
       !(fabs(F_start) <= 1.0e6)) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(l_measured) <= DBL_MAX) && !(fabs(l_measured) <= 1.0e6)) ||
+    if (((fabs(l_measured) <= DBL_MAX) && !(fabs(l_measured) <= 100.0)) ||
         ((fabs(F_start) <= DBL_MAX) && !(fabs(F_start) <= 1.0e6))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }

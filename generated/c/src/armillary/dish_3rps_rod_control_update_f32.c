@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x873b4442UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x1619fc69UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -35,12 +35,12 @@ int dish_3rps_rod_control_update_f32(
   const float l_before = s->l_before;
   int status = ARMILLARY_OK;
 
-  if (!(fabsf(integral) <= 1.0e6f) ||
-      !(fabsf(v) <= 1.0e6f) ||
-      !(fabsf(l_before) <= 1.0e6f) ||
-      !(fabsf(l_ref) <= 1.0e6f) ||
+  if (!(fabsf(integral) <= 1.0e20f) ||
+      !(fabsf(v) <= 1.0e10f) ||
+      !(fabsf(l_before) <= 100.0f) ||
+      !(fabsf(l_ref) <= 100.0f) ||
       !(fabsf(l_dot_ref) <= 1.0e6f) ||
-      !(fabsf(l_measured) <= 1.0e6f) ||
+      !(fabsf(l_measured) <= 100.0f) ||
       !(fabsf(F_ff) <= 1.0e6f) ||
       !((K_P >= 0.0f) && (K_P <= 1.0e12f)) ||
       !((K_I >= 0.0f) && (K_I <= 1.0e12f)) ||
@@ -52,12 +52,12 @@ int dish_3rps_rod_control_update_f32(
       !((F_C >= 0.0f) && (F_C <= 1.0e12f)) ||
       !((v_C >= 1.0e-9f) && (v_C <= 1000.0f))) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabsf(integral) <= FLT_MAX) && !(fabsf(integral) <= 1.0e6f)) ||
-        ((fabsf(v) <= FLT_MAX) && !(fabsf(v) <= 1.0e6f)) ||
-        ((fabsf(l_before) <= FLT_MAX) && !(fabsf(l_before) <= 1.0e6f)) ||
-        ((fabsf(l_ref) <= FLT_MAX) && !(fabsf(l_ref) <= 1.0e6f)) ||
+    if (((fabsf(integral) <= FLT_MAX) && !(fabsf(integral) <= 1.0e20f)) ||
+        ((fabsf(v) <= FLT_MAX) && !(fabsf(v) <= 1.0e10f)) ||
+        ((fabsf(l_before) <= FLT_MAX) && !(fabsf(l_before) <= 100.0f)) ||
+        ((fabsf(l_ref) <= FLT_MAX) && !(fabsf(l_ref) <= 100.0f)) ||
         ((fabsf(l_dot_ref) <= FLT_MAX) && !(fabsf(l_dot_ref) <= 1.0e6f)) ||
-        ((fabsf(l_measured) <= FLT_MAX) && !(fabsf(l_measured) <= 1.0e6f)) ||
+        ((fabsf(l_measured) <= FLT_MAX) && !(fabsf(l_measured) <= 100.0f)) ||
         ((fabsf(F_ff) <= FLT_MAX) && !(fabsf(F_ff) <= 1.0e6f)) ||
         ((fabsf(K_P) <= FLT_MAX) && !((K_P >= 0.0f) && (K_P <= 1.0e12f))) ||
         ((fabsf(K_I) <= FLT_MAX) && !((K_I >= 0.0f) && (K_I <= 1.0e12f))) ||

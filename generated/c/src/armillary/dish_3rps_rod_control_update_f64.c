@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x873b4442UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x1619fc69UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -37,12 +37,12 @@ int dish_3rps_rod_control_update_f64(
   const double l_before = s->l_before;
   int status = ARMILLARY_OK;
 
-  if (!(fabs(integral) <= 1.0e6) ||
-      !(fabs(v) <= 1.0e6) ||
-      !(fabs(l_before) <= 1.0e6) ||
-      !(fabs(l_ref) <= 1.0e6) ||
+  if (!(fabs(integral) <= 1.0e20) ||
+      !(fabs(v) <= 1.0e10) ||
+      !(fabs(l_before) <= 100.0) ||
+      !(fabs(l_ref) <= 100.0) ||
       !(fabs(l_dot_ref) <= 1.0e6) ||
-      !(fabs(l_measured) <= 1.0e6) ||
+      !(fabs(l_measured) <= 100.0) ||
       !(fabs(F_ff) <= 1.0e6) ||
       !((K_P >= 0.0) && (K_P <= 1.0e12)) ||
       !((K_I >= 0.0) && (K_I <= 1.0e12)) ||
@@ -54,12 +54,12 @@ int dish_3rps_rod_control_update_f64(
       !((F_C >= 0.0) && (F_C <= 1.0e12)) ||
       !((v_C >= 1.0e-9) && (v_C <= 1000.0))) {
     status = ARMILLARY_NOT_FINITE;
-    if (((fabs(integral) <= DBL_MAX) && !(fabs(integral) <= 1.0e6)) ||
-        ((fabs(v) <= DBL_MAX) && !(fabs(v) <= 1.0e6)) ||
-        ((fabs(l_before) <= DBL_MAX) && !(fabs(l_before) <= 1.0e6)) ||
-        ((fabs(l_ref) <= DBL_MAX) && !(fabs(l_ref) <= 1.0e6)) ||
+    if (((fabs(integral) <= DBL_MAX) && !(fabs(integral) <= 1.0e20)) ||
+        ((fabs(v) <= DBL_MAX) && !(fabs(v) <= 1.0e10)) ||
+        ((fabs(l_before) <= DBL_MAX) && !(fabs(l_before) <= 100.0)) ||
+        ((fabs(l_ref) <= DBL_MAX) && !(fabs(l_ref) <= 100.0)) ||
         ((fabs(l_dot_ref) <= DBL_MAX) && !(fabs(l_dot_ref) <= 1.0e6)) ||
-        ((fabs(l_measured) <= DBL_MAX) && !(fabs(l_measured) <= 1.0e6)) ||
+        ((fabs(l_measured) <= DBL_MAX) && !(fabs(l_measured) <= 100.0)) ||
         ((fabs(F_ff) <= DBL_MAX) && !(fabs(F_ff) <= 1.0e6)) ||
         ((fabs(K_P) <= DBL_MAX) && !((K_P >= 0.0) && (K_P <= 1.0e12))) ||
         ((fabs(K_I) <= DBL_MAX) && !((K_I >= 0.0) && (K_I <= 1.0e12))) ||
