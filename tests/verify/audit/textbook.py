@@ -15,7 +15,7 @@ import sympy
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.algebra.explicit import Explicit
-from armillary.algebra.functions import atan2, sqrt
+from armillary.algebra.functions import atan2, cos, sin, sqrt
 from armillary.algebra.indexed import children
 from armillary.algebra.rigid import Matrix
 from armillary.algebra.rotation import RotationSymbol
@@ -95,7 +95,7 @@ def _read(form: sympy.Expr, names: dict[str, s.Scalar]) -> s.Scalar:
         if power.is_negative:
             return s.divide(s.ONE, _read(base**-power, names))
     if isinstance(form, (sympy.sin, sympy.cos)):
-        of = s.sin if isinstance(form, sympy.sin) else s.cos
+        of = sin if isinstance(form, sympy.sin) else cos
         return of(_read(form.args[0], names))
     if isinstance(form, sympy.atan2):
         return atan2(_read(form.args[0], names), _read(form.args[1], names))
