@@ -153,9 +153,15 @@ def rays_of_aimed_facets(kernels):
         "the central ray of a facet that is aimed goes through the focus", "reflection",
         passes(aimed), 0.0, 1e-12, points, "aim_at_receiver",
     )  # fmt: skip
+    told = kernels.central_ray(**points, **size)
     yield compare(
         "the central ray of a facet with the dish's normal passes the focus so", "reflection",
-        kernels.central_ray(**points, **size).miss, passes(own), 1e-13, points, "central_ray",
+        told.miss, passes(own), 1e-13, points, "central_ray",
+    )  # fmt: skip
+    sine = passes(own) / np.linalg.norm(focus - own.M, axis=-1)
+    yield compare(
+        "and by this angle, which is acute", "reflection", told.miss_angle, np.arcsin(sine), 1e-12,
+        points, "central_ray",
     )  # fmt: skip
     yield compare(
         "aimed or not, the facet's point is as high as the dish's", "facet", aimed.M[:, 2],
