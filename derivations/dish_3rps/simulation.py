@@ -25,12 +25,14 @@ from .checks_of_rods import (
     rods_in_single_precision,
     squares_over_the_height,
 )
+from .checks_of_surface import normals_meet
 
 
 def checks(kernels):
     """Everything measured about the dish."""
     yield from each(
         kernels,
+        normals_meet,
         planes_of_the_hinges,
         pose_by_scipy,
         rates_by_complex_steps,
