@@ -144,11 +144,16 @@ def _open(node: object, known: dict[int, frozenset[Index]]) -> frozenset[Index]:
     return inner - {node.over} if isinstance(node, Closing) else inner
 
 
+def is_leaf(node: object) -> bool:
+    """Whether a node is a symbol, a quantity or a table: nothing stands below it."""
+    return isinstance(node, (s.Symbol, v.VectorSymbol)) or hasattr(node, "facts")
+
+
 def children(node: object) -> list[object]:
     """The expressions that an expression is made of; a symbol has none."""
     if isinstance(node, (tuple, list)):
         return list(_expressions(node))
-    if isinstance(node, (s.Symbol, v.VectorSymbol)) or hasattr(node, "facts"):
+    if is_leaf(node):
         return []
     if hasattr(node, "__dataclass_fields__") and not isinstance(node, Index):
         return list(_expressions(getattr(node, f.name) for f in fields(node)))  # type: ignore[arg-type]

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.algebra.index import Index
-from armillary.algebra.indexed import Closing, indices
+from armillary.algebra.indexed import Closing, indices, is_leaf
 from armillary.algebra.iteration import Iteration, with_fresh_unknowns
 from armillary.algebra.misuse import MisuseError
 
@@ -65,8 +65,8 @@ class _Substitution:
             return parts if any(a is not b for a, b in zip(parts, node, strict=True)) else node
         if isinstance(node, Iteration):
             return self.iteration(node)
-        leaf = isinstance(node, (s.Symbol, v.VectorSymbol, Index)) or hasattr(node, "facts")
-        if leaf or not hasattr(node, "__dataclass_fields__"):
+        plain = is_leaf(node) or isinstance(node, Index)
+        if plain or not hasattr(node, "__dataclass_fields__"):
             return node
         values = {f.name: getattr(node, f.name) for f in fields(node)}
         changed = {name: new for name, old in values.items() if (new := self(old)) is not old}
