@@ -24,19 +24,23 @@ from armillary.algebra.scalar import PI, number
 from armillary.algebra.series import truncate
 from armillary.algebra.substitute import substitute
 from armillary.algebra.vector import unit, vector
+from armillary.derivation.drawing import near
 from armillary.derivation.motion import define_motion
 from armillary.derivation.paper import Paper
 from armillary.derivation.quantity import Kind, Rate
 from armillary.derivation.record import Derivation
 from armillary.derivation.status import Status
 from armillary.mechanism.attitude import Axes, tilted, tilting
+from armillary.mechanism.body import Body
 from armillary.mechanism.chain import Chain, X, Y, Z
 from armillary.mechanism.platform import Leg, Place, Platform, stack_wrenches, virtual_work
 from armillary.mechanism.scene import Frame, Plate, Ray, Rod, Scene, Trace
+from armillary.mechanism.universal import UniversalLeg, leg_axes, second_axis
 
 __all__ = [
     "PI",
     "Axes",
+    "Body",
     "Chain",
     "Derivation",
     "Frame",
@@ -56,6 +60,7 @@ __all__ = [
     "Status",
     "Trace",
     "Twist",
+    "UniversalLeg",
     "Wrench",
     "X",
     "Y",
@@ -76,10 +81,13 @@ __all__ = [
     "full_turn",
     "hat",
     "hypot",
+    "leg_axes",
     "matrix",
+    "near",
     "number",
     "one_like",
     "partial",
+    "second_axis",
     "sin",
     "solve",
     "solved",

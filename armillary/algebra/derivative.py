@@ -260,7 +260,10 @@ def _(node: s.Absolute, d: Differentiator) -> s.Scalar:
 
 @_scalar.register
 def _(node: s.Select, d: Differentiator) -> s.Scalar:
-    return s.Select(node.condition, d.scalar(node.then), d.scalar(node.otherwise))
+    then, otherwise = d.scalar(node.then), d.scalar(node.otherwise)
+    if s.is_zero(then) and s.is_zero(otherwise):
+        return s.ZERO
+    return s.Select(node.condition, then, otherwise)
 
 
 @_scalar.register

@@ -63,9 +63,9 @@ class Output:
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """The whole shape; a row for each part makes a matrix."""
+        """The whole shape; a matrix of one row is flat, and such a row for each part a matrix."""
         own = self._own_shape
-        if self.indices and len(own) == 2 and own[0] == 1:
+        if len(own) == 2 and own[0] == 1:
             own = own[1:]
         return (*(i.size for i in self.indices), *own)
 
@@ -88,14 +88,26 @@ class Case:
 
 
 @dataclass(frozen=True, eq=False)
+class Drawn:
+    """What an input is at the points of checks: an expression, or up to `by` off it."""
+
+    quantity: AnyQuantity
+    output: Output
+    by: float
+
+
+@dataclass(frozen=True, eq=False)
 class Kernel:
     """A function that every target prints.
 
     Attributes:
+        drawn: the inputs that are not drawn from their ranges for the checks.
         states: of an update, the inputs that are kept from call to call; the results that follow
             the others have their names. Of an init, what its results are.
         stateful: "init" or "update" of a controller.
         controller: the name that the two share.
+        stage: "setup" or "step" of a kernel that was divided; no derivation states one.
+        whole: the name of that kernel.
     """
 
     system: str
@@ -109,6 +121,9 @@ class Kernel:
     states: tuple[Quantity, ...] = ()
     stateful: str = ""
     controller: str = ""
+    drawn: tuple[Drawn, ...] = ()
+    stage: str = ""
+    whole: str = ""
 
     def result_argument(self, name: str) -> str:
         """A result's name in C: `v_out` if an input, or a macro, is named `v`."""

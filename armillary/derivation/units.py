@@ -18,12 +18,12 @@ from armillary.algebra.iteration import Iterated
 from armillary.algebra.rigid import Matrix, Pose, Twist, Wrench
 from armillary.algebra.rotation import Elementary, Rotation, factors
 
-_BASES = ("m", "kg", "s", "K")
+_BASES = ("m", "kg", "s", "K", "A")
 
 
 @dataclass(frozen=True)
 class Unit:
-    """Powers of metre, kilogram, second and kelvin; `angle` counts radians."""
+    """Powers of metre, kilogram, second, kelvin and ampere; `angle` counts radians."""
 
     powers: tuple[Fraction, ...] = (Fraction(0),) * len(_BASES)
     angle: int = 0
@@ -76,11 +76,14 @@ NEWTON = _unit(kg=1, m=1, s=-2)
 NEWTON_METRE = _unit(kg=1, m=2, s=-2)
 WATT = _unit(kg=1, m=2, s=-3)
 PASCAL = _unit(kg=1, m=-1, s=-2)
+AMPERE = _unit(A=1)
+OHM = _unit(kg=1, m=2, s=-3, A=-2)
 _DERIVED = {
     "N": NEWTON.powers,
     "N*m": NEWTON_METRE.powers,
     "W": WATT.powers,
     "Pa": PASCAL.powers,
+    "ohm": OHM.powers,
 }
 
 
