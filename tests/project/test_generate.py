@@ -4,7 +4,6 @@ import json
 import shutil
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -40,20 +39,17 @@ def test_first_run_makes_all_and_second_nothing(small: Project):
     assert read_finished(small.generated) is not None
 
 
-def test_nothing_to_do_is_quick_and_needs_no_sympy(small: Project):
+def test_nothing_to_do_loads_nothing_heavy(small: Project):
     regenerate(small)
     program = (
         "import sys; from armillary.cli import main; main(['generate'], standalone_mode=False);"
-        "assert 'sympy' not in sys.modules and 'numpy' not in sys.modules"
+        "print(sorted({'sympy', 'mpmath', 'numpy', 'jinja2', 'mkdocs'} & sys.modules.keys()))"
     )
-    taken = []
-    for _ in range(5):
-        start = time.perf_counter()
-        subprocess.run(
-            [sys.executable, "-c", program], cwd=small.root, env=environment(), check=True
-        )
-        taken.append(time.perf_counter() - start)
-    assert min(taken) < 0.5
+    done = subprocess.run(
+        [sys.executable, "-c", program],
+        cwd=small.root, env=environment(), check=True, capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.stdout.splitlines()[-1] == "[]"
 
 
 def test_an_edit_touches_its_system_and_its_users_only(small: Project):
@@ -204,7 +200,8 @@ def test_the_manifest_holds_only_what_comes_out_the_same(small: Project):
     assert set(content) == {"engine", "format", "shared", "systems"}
     assert str(small.root) not in text
     facts = content["systems"]["user"]["kernels"]["far_off"]
-    assert set(facts) == {"cost", "definitions", "digest", "signatures", "stated", "strategy"}
+    told = {"cost", "definitions", "digest", "signatures", "stages", "stated", "strategy"}
+    assert set(facts) == told
     assert facts["signatures"].keys() == {"f32"}
     assert set(facts["definitions"]) == {"base-reach", "user-far"}
 
