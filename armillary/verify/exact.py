@@ -87,7 +87,11 @@ class Function:
         """Values of the entries at one point (floats, flat lists of floats)."""
         if self._function is None:
             names = [*self._names, *(name for t in self._turning for name in t.results)]
-            self._function = sympy.lambdify(names, self.entries, modules="mpmath", cse=True)
+            # Shared parts first: lambdify walks what it is given as a tree, and counts to sort it.
+            shared, reduced = sympy.cse(self.entries, order="none", list=False)
+            self._function = sympy.lambdify(
+                names, list(reduced), modules="mpmath", cse=lambda _: (shared, list(reduced))
+            )
         with mpmath.workdps(DIGITS + 10):
             given = [mpmath.mpf(x) for q in self.quantities for x in flat(row[q.name])]
             for turning in self._turning:

@@ -11,9 +11,17 @@ from collections.abc import Iterator
 import sympy
 
 from armillary.algebra.explicit import Explicit, reduce_trigonometry
+from armillary.algebra.indexed import is_leaf
 from armillary.algebra.rigid import Pose
-from armillary.algebra.rotation import Rotation, RotationSymbol
+from armillary.algebra.rotation import (
+    Composed,
+    Elementary,
+    Rotation,
+    RotationSymbol,
+    factors,
+)
 from armillary.algebra.scalar import Condition
+from armillary.derivation.record import Derivation
 from armillary.derivation.statements import Block, Definition, Identity, Kernel
 from armillary.derivation.symbols import leaves
 from armillary.program.arithmetic import Reals
@@ -58,12 +66,26 @@ def text_book_rotation(definition: Definition) -> Measured | None:
         return None
     if any(isinstance(leaf, RotationSymbol) for leaf in leaves(rotation)):
         return None
+    rotation = _by_free_angles(rotation)
     explicit, defects = Explicit(), list[sympy.Expr]()
     for place in exact.everywhere(explicit, rotation):
         matrix = sympy.Matrix(place(rotation))
         defects += [*(matrix.T * matrix - sympy.eye(3)), matrix.det(method="berkowitz") - 1]
     claim = f"the rotation of {definition.name} is orthonormal and proper"
     return _zero(claim, exact.Function(defects, leaves(rotation), explicit.iterations))
+
+
+def _by_free_angles(rotation: Rotation) -> Rotation:
+    """The same product with a free angle for each that is computed: it may be any number."""
+    angles = Derivation("angles", title="Free angles")
+    return Composed(
+        tuple(
+            Elementary(f.axis, angles.angle(f"angle_{k}", "any angle"))
+            if isinstance(f, Elementary) and not is_leaf(f.angle)
+            else f
+            for k, f in enumerate(factors(rotation))
+        )
+    )
 
 
 def text_book_expression(kernel: Kernel, program: Program) -> Iterator[Measured]:

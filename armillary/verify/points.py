@@ -10,10 +10,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from armillary.derivation.errors import DerivationError
 from armillary.derivation.quantity import AnyQuantity, Kind, Role
 from armillary.derivation.record import Derivation
 from armillary.derivation.statements import Kernel
 from armillary.derivation.units import RADIAN
+from armillary.program.arithmetic import Reals
+from armillary.program.drawing import Drawing
 from armillary.program.sample import rotation_of
 
 Array = NDArray[np.float64]
@@ -69,8 +72,15 @@ def random_points(
 
     Arrays (n,), of vectors (n, 3), of rotations (n, 3, 3).
     Each quantity has a stream of its own, so a quantity added to a system moves no other's points.
+    Inputs that a kernel draws as expressions have their values at the point.
+
+    Raises:
+        DerivationError: where such an expression has no value.
     """
-    return {q.name: _random(q, n, _stream(q.name, seed)) for q in quantities(record)}
+    points = _in_ranges(quantities(record), n, seed)
+    if isinstance(record, Kernel):
+        _draw(record, points, seed)
+    return points
 
 
 def awkward_points(record: Derivation | Kernel | Sequence[AnyQuantity]) -> dict[str, Array]:
@@ -89,7 +99,7 @@ def awkward_points(record: Derivation | Kernel | Sequence[AnyQuantity]) -> dict[
     longest = max((len(c) for c in choices.values()), default=0)
     for k in range(longest):
         rows.append({name: c[k % len(c)] for name, c in choices.items()})
-    return _filled(known, rows, seed=1)
+    return _filled(record, rows, seed=1)
 
 
 def illegal_points(record: Derivation | Kernel | Sequence[AnyQuantity]) -> dict[str, Array]:
@@ -100,7 +110,7 @@ def illegal_points(record: Derivation | Kernel | Sequence[AnyQuantity]) -> dict[
     """
     known = quantities(record)
     rows = [{q.name: fault} for q in known for fault in _faults(q)]
-    return _filled(known, rows, seed=2)
+    return _filled(record, rows, seed=2)
 
 
 def directions(n: int, seed: int) -> Array:
@@ -169,8 +179,12 @@ def _awkward(q: AnyQuantity) -> list[Value]:
     if q.shape == ():
         return list(scalars)
     size, rest = int(np.prod(q.shape)), _middle(q)
+    # Like parts are treated alike: each value comes to one of them, the next value to the next.
+    places = [(k % size,) if q.facts.per else range(size) for k in range(len(scalars))]
     spikes = [
-        tuple(v if k == i else rest for k in range(size)) for v in scalars for i in range(size)
+        tuple(v if k == i else rest for k in range(size))
+        for v, where in zip(scalars, places, strict=True)
+        for i in where
     ]
     return list(dict.fromkeys(spikes))
 
@@ -214,12 +228,43 @@ def _no_rotations(bad: Sequence[float]) -> list[Value]:
     return [*faults, np.zeros((3, 3)), 0.99 * np.eye(3), sheared, sheared.T, mirror, -np.eye(3)]
 
 
-def _filled(known: list[AnyQuantity], rows: Sequence[Mapping[str, Value]], seed: int) -> dict[
-    str, Array
-]:  # fmt: skip
-    """What a row leaves open is taken at random."""
-    points = random_points(known, len(rows), seed)
+def _filled(
+    record: Derivation | Kernel | Sequence[AnyQuantity],
+    rows: Sequence[Mapping[str, Value]],
+    seed: int,
+) -> dict[str, Array]:
+    """What a row leaves open is taken at random, or drawn by the values of the row."""
+    points = _in_ranges(quantities(record), len(rows), seed)
+    _put(points, rows)
+    if isinstance(record, Kernel):
+        _draw(record, points, seed, lenient=True)
+        _put(points, rows)
+    return points
+
+
+def _put(points: dict[str, Array], rows: Sequence[Mapping[str, Value]]) -> None:
     for k, row in enumerate(rows):
         for name, value in row.items():
             points[name][k] = np.reshape(value, points[name][k].shape)
-    return points
+
+
+def _in_ranges(known: Sequence[AnyQuantity], n: int, seed: int) -> dict[str, Array]:
+    return {q.name: _random(q, n, _stream(q.name, seed)) for q in known}
+
+
+def _draw(kernel: Kernel, points: dict[str, Array], seed: int, lenient: bool = False) -> None:
+    """Put in what inputs are drawn as; where that has no value, a lenient one leaves them."""
+    if not kernel.drawn:
+        return
+    drawing, reals = Drawing(kernel), Reals()
+    others = _in_ranges(drawing.others, count(points), seed)
+    for k, row in enumerate(rows_of({**points, **others})):
+        try:
+            drawn = drawing.at(row, reals)
+        except DerivationError:
+            if not lenient:
+                raise
+            continue
+        for name, value in drawn.items():
+            flat = [float(x) for x in value] if isinstance(value, list) else float(value)
+            points[name][k] = np.reshape(flat, points[name][k].shape)
