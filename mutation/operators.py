@@ -19,7 +19,7 @@ _SILENT_CALLS = {
 }  # fmt: skip
 _SILENT_KEYWORDS = {
     "because", "meaning", "latex", "printed", "caption", "at", "sun", "summary", "limits", "range",
-    "inputs", "unit", "frame", "foot", "rate", "kind", "name",
+    "inputs", "unit", "frame", "foot", "rate", "kind", "name", "drawn",
 }  # fmt: skip
 _CHAINED = {"rotate", "translate"}
 _OTHER = {"sin": "cos", "cos": "sin"}

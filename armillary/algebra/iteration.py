@@ -9,7 +9,7 @@ from armillary.algebra import scalar as s
 from armillary.algebra.derivative import partial
 from armillary.algebra.functions import absolute, where
 from armillary.algebra.index import Index
-from armillary.algebra.indexed import at, indices, one_like
+from armillary.algebra.indexed import at, indices, one_like, total
 from armillary.algebra.linear import determinant, solved
 from armillary.algebra.misuse import MisuseError, told
 from armillary.algebra.scalar import Scalar, ScalarLike, Symbol, as_scalar
@@ -56,6 +56,7 @@ def solve(
     name: str,
     steps: int = 8,
     within: Mapping[Symbol, Bounds] | None = None,
+    over: Index | None = None,
 ) -> tuple[Scalar, ...]:
     """The unknowns after a fixed number of Newton steps; nothing says that they converged.
 
@@ -63,15 +64,23 @@ def solve(
     `substitute` puts the values found into them. Write it `~(left < bound)`: what is no number is
     not converged either.
 
+    With `over`, the sum of the squares of a residual per part is made least, by Gauss and Newton's
+    steps: those find the residuals linear. What such an iteration makes zero are the derivatives of
+    that sum, and a case on residuals would refuse what does not quite fit.
+
     Args:
         residuals: what should become zero: as many scalars as there are unknowns, at most three,
             or one that is per part of an index of that size.
         unknowns: symbols made by `d.unknown`, each with the value it starts from.
         name: of the iteration, which is a loop in C.
         within: bounds that an unknown is held to after each step, though not at the start.
+        over: the index of more residuals than there are unknowns.
     """
     symbols = tuple(unknowns)
-    rows, matrix = _system(residuals, symbols)
+    if over is None:
+        rows, matrix = _system(residuals, symbols)
+    else:
+        rows, matrix = _least_squares(residuals, symbols, over)
     det = determinant(matrix)
     regular = where(absolute(det) > s.ZERO, det, one_like(det))
     steps_taken = solved(matrix, rows, regular)
@@ -91,11 +100,7 @@ def _system(
     residuals: Scalar | Sequence[Scalar], unknowns: tuple[Symbol, ...]
 ) -> tuple[list[Scalar], list[list[Scalar]]]:
     """The residuals one by one, and their derivatives by the unknowns, a row each."""
-    count = len(unknowns)
-    if not 1 <= count <= LARGEST:
-        raise MisuseError(
-            f"solve has {count} unknowns", f"it takes 1 to {LARGEST}: eliminate some by hand"
-        )
+    count = _counted(unknowns)
     if isinstance(residuals, Scalar):
         open_in = [i for i in indices(residuals) if i.size == count]
         if count > 1 and len(open_in) == 1:
@@ -111,6 +116,38 @@ def _system(
             "give as many of the one as of the other",
         )
     return rows, [[partial(row, u) for u in unknowns] for row in rows]
+
+
+def _least_squares(
+    residual: Scalar | Sequence[Scalar], unknowns: tuple[Symbol, ...], over: Index
+) -> tuple[list[Scalar], list[list[Scalar]]]:
+    """The normal equations: slopes of half the sum of squares, and their products' sums."""
+    if not isinstance(residual, Scalar) or over not in indices(residual):
+        raise MisuseError(
+            f"solve makes least what is not per {over.name}", f"give one residual, per {over.name}"
+        )
+    if over.size < _counted(unknowns):
+        raise MisuseError(
+            f"solve has {over.size} residuals for {len(unknowns)} unknowns",
+            "give at least as many of the one as of the other",
+        )
+    slopes = [partial(residual, u) for u in unknowns]
+
+    def sum_of(term: Scalar) -> Scalar:
+        return total(term, over=over) if over in indices(term) else over.size * term
+
+    rows = [sum_of(slope * residual) for slope in slopes]
+    return rows, [[sum_of(a * b) for b in slopes] for a in slopes]
+
+
+def _counted(unknowns: tuple[Symbol, ...]) -> int:
+    """How many unknowns there are, if a system of so many can be solved."""
+    if not 1 <= len(unknowns) <= LARGEST:
+        raise MisuseError(
+            f"solve has {len(unknowns)} unknowns",
+            f"it takes 1 to {LARGEST}: eliminate some by hand",
+        )
+    return len(unknowns)
 
 
 def _held(value: Scalar, bounds: Bounds | None) -> Scalar:

@@ -32,7 +32,7 @@ def definition_digest(definition: Definition) -> str:
 def kernel_digest(derivation: Derivation, kernel: Kernel) -> str:
     """A hash of all that a kernel is made from.
 
-    Its name, its arguments in order with their limits and ranges, its results, its cases, and the
+    Its name, its arguments in order with rates, limits and ranges, its results, its cases, and the
     definitions that these stand on.
     """
     digest = _Digest()
@@ -68,6 +68,12 @@ def system_digest(derivation: Derivation) -> str:
     parts += _definitions(derivation.definitions.values())
     parts += _definitions(_reached(derivation, stated).values())
     parts += [kernel_digest(derivation, kernel) for kernel in derivation.kernels.values()]
+    parts += [
+        f"drawn {kernel.name} {one.quantity.name} {blocks_digest(derivation, one.output.value)} "
+        f"{one.by}"
+        for kernel in derivation.kernels.values()
+        for one in kernel.drawn
+    ]
     return _hash(parts)
 
 
@@ -77,7 +83,7 @@ def _definitions(definitions: Iterable[Definition]) -> list[str]:
 
 def _argument(quantity: AnyQuantity) -> str:
     facts = quantity.facts
-    kind = f"{facts.role.value} {facts.kind.value} {facts.unit}"
+    kind = f"{facts.role.value} {facts.rate.value} {facts.kind.value} {facts.unit}"
     return f"{quantity.name} {quantity.shape} {kind} {facts.limits} {facts.range}"
 
 

@@ -54,3 +54,9 @@ def latex_name(name: str) -> str:
     printed = str(sympy.latex(sympy.Symbol(name)))
     # A word in italics would read as a product of letters.
     return rf"\mathrm{{{name}}}" if printed == name and len(name) > 1 else printed
+
+
+def rate_latex(latex: str) -> str:
+    """The printed form of the time derivative: a dot, or the second one over the first."""
+    dotted = latex.startswith("\\dot{") and latex.endswith("}")
+    return f"\\d{latex[1:]}" if dotted else f"\\dot{{{latex}}}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
 from typing import Any, TypeVar, overload
 
 from armillary.algebra import scalar as s
@@ -31,9 +32,10 @@ from armillary.derivation.checking import (
     check_symbols,
     check_unit,
 )
+from armillary.derivation.drawing import Near, as_drawn, others
 from armillary.derivation.errors import DerivationError, Source, caller
 from armillary.derivation.names import check_name
-from armillary.derivation.naming import latex_name, named
+from armillary.derivation.naming import latex_name, named, rate_latex
 from armillary.derivation.quantities import Quantities
 from armillary.derivation.quantity import (
     AnyQuantity,
@@ -216,6 +218,7 @@ class Derivation(Quantities):
         outputs: Sequence[Block] | Mapping[str, Block],
         summary: str = "",
         cases: Sequence[tuple[Status, s.Condition, str]] = (),
+        drawn: Mapping[Any, Block | Near] = MappingProxyType({}),
     ) -> None:
         """Ask for a function in every language.
 
@@ -223,20 +226,17 @@ class Derivation(Quantities):
             inputs: its arguments in order; parameters of the system come by themselves.
             outputs: definitions, or a mapping from a result's name to an expression.
             cases: (status, condition, reason) for points that need a status.
+            drawn: what inputs are at the points of checks, where values taken at random do not
+                fit together: expressions of inputs and parameters, or `near(expression, by=...)`.
         """
         source = caller()
-        self._keep(
-            Kernel(
-                self.name,
-                name,
-                summary,
-                as_inputs(self, inputs, name, source),
-                self.parameters,
-                as_outputs(self, outputs, name, source),
-                as_cases(cases, name, source),
-                source,
-            )
-        )
+        given = as_inputs(self, inputs, name, source)
+        made = Kernel(
+            self.name, name, summary, given, self.parameters,
+            as_outputs(self, outputs, name, source), as_cases(cases, name, source), source,
+            drawn=as_drawn(self, drawn, given, name, source),
+        )  # fmt: skip
+        self._keep(made)
 
     def controller(
         self,
@@ -292,7 +292,7 @@ class Derivation(Quantities):
                 kernel.source,
             )
         check_reach(kernel)
-        check_arguments(kernel)
+        check_arguments(replace(kernel, inputs=(*kernel.inputs, *others(kernel))))
         self.kernels[kernel.name] = kernel
 
     def assume(self, sentence: str) -> None:
@@ -364,7 +364,7 @@ class Derivation(Quantities):
     ) -> Quantity | VectorQuantity:
         name = name or f"{of.name}_dot"
         meaning = meaning or f"rate of {of.name}"
-        unit, latex = of.unit / SECOND, f"\\dot{{{of.facts.latex}}}"
+        unit, latex = of.unit / SECOND, rate_latex(of.facts.latex)
         if isinstance(of, VectorQuantity):
             return self.vector(name, meaning, unit=unit, latex=latex, rate=Rate.TICK)
         return self.scalar(name, meaning, unit=unit, latex=latex, rate=Rate.TICK)

@@ -6,6 +6,7 @@ cheapest.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import singledispatchmethod
 
 import sympy
@@ -54,9 +55,17 @@ from armillary.program.strategy import (
 __all__ = ["Strategy", "decisions", "lower", "strategies"]
 
 
-def lower(kernel: Kernel, strategy: Strategy, local: Local | None = None) -> Program:
-    """The structured program of a kernel under one strategy, with local departures from it."""
-    return _lowered(kernel, strategy, local)[0]
+def lower(
+    kernel: Kernel,
+    strategy: Strategy,
+    local: Local | None = None,
+    beforehand: frozenset[str] = frozenset(),
+) -> Program:
+    """The structured program of a kernel under one strategy, with local departures from it.
+
+    `beforehand` names the quantities that a set-up is told.
+    """
+    return replace(_lowered(kernel, strategy, local)[0], beforehand=beforehand)
 
 
 def decisions(kernel: Kernel, strategy: Strategy, local: Local) -> list[Decision]:

@@ -9,6 +9,7 @@ from typing import Any
 from armillary.derivation.quantity import AnyQuantity, Kind
 from armillary.derivation.statements import Kernel
 from armillary.program.arithmetic import Reals
+from armillary.program.drawing import Drawing
 
 _PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79)
 
@@ -16,17 +17,18 @@ _PRIMES = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 6
 def sample_points(kernel: Kernel, count: int) -> list[dict[str, Any]]:
     """Low-discrepancy points in the working range, at 50 digits, with exact unit vectors.
 
-    Rotations are exact ones too.
+    Rotations are exact ones too. Inputs that are drawn as expressions have their values.
+
+    Raises:
+        DerivationError: where such an expression has no value.
     """
-    reals = Reals()
-    return [
-        {q.name: _value(q, _stream(k + 1, i), reals) for i, q in enumerate(_quantities(kernel))}
+    reals, drawing = Reals(), Drawing(kernel)
+    known = [*kernel.inputs, *kernel.parameters, *drawing.others]
+    points = [
+        {q.name: _value(q, _stream(k + 1, i), reals) for i, q in enumerate(known)}
         for k in range(count)
     ]
-
-
-def _quantities(kernel: Kernel) -> list[AnyQuantity]:
-    return [*kernel.inputs, *kernel.parameters]
+    return [point | drawing.at(point, reals) for point in points]
 
 
 def _stream(k: int, offset: int) -> Iterator[Fraction]:

@@ -18,7 +18,14 @@ from armillary.program.lower import Strategy
 from armillary.project.config import Project
 from armillary.project.errors import ProjectError
 from armillary.targets.c import signature
-from armillary.targets.files import KernelFacts, Rendered, Target, render_shared, render_system
+from armillary.targets.files import (
+    KernelFacts,
+    Rendered,
+    StageFacts,
+    Target,
+    render_shared,
+    render_system,
+)
 from armillary.targets.manifest import (
     MANIFEST,
     Entry,
@@ -140,6 +147,7 @@ def _to_facts(facts: KernelFacts) -> Facts:
         "strategy": dataclasses.asdict(facts.strategy),
         "definitions": dict(facts.definitions),
         "signatures": dict(facts.signatures),
+        "stages": {name: dataclasses.asdict(stage) for name, stage in facts.stages.items()},
     }
 
 
@@ -152,6 +160,10 @@ def _from_facts(name: str, facts: Facts) -> KernelFacts:
         strategy=Strategy(**facts["strategy"]),
         definitions=dict(facts["definitions"]),
         signatures=dict(facts["signatures"]),
+        stages={
+            name: StageFacts(stage["digest"], Cost(**stage["cost"]), dict(stage["signatures"]))
+            for name, stage in facts["stages"].items()
+        },
     )
 
 

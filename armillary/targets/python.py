@@ -122,7 +122,7 @@ def _function(made: PythonKernel) -> list[str]:
     if read:
         names = [n for q in read for n in _names(q)]
         comma = "," if len(names) == 1 else ""
-        lines += _filled(f"({', '.join(names)}{comma}) = call.values", "    ", "        ")
+        lines += _unpacked(f"({', '.join(names)}{comma})", "call.values")
     taken = {n for q in read for n in _names(q)} | {q.name for q in (*read, *idle)}
     taken |= {"call", "xp", "Call", result_name(kernel)}
     body = write_body(program, Python(), frozenset(taken))
@@ -140,6 +140,12 @@ def _function(made: PythonKernel) -> list[str]:
         else:
             lines.append(f"        {result.name}=call.array((), ({entries[0]},)),")
     return [*lines, "        status=call.status,", "    )"]
+
+
+def _unpacked(names: str, values: str) -> list[str]:
+    """An assignment to names in parentheses, which is broken between them alone."""
+    lines = _filled(f"{names}\0=\0{values}", "    ", "        ")
+    return [line.replace("\0", " ") for line in lines]
 
 
 def _lines(given: Sequence[Line], indent: str) -> Iterator[str]:

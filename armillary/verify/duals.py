@@ -6,8 +6,8 @@ algebra made the derivative kernel's program. The two share nothing but the base
 Which kernel is the derivative of which is read off the names of CONVENTIONS: `velocity` and
 `jacobian` belong to `pose`, `Omega` of `velocity_x` to the rotation of `matrix_x`, that of
 `x_rates` to the one rotation of `x`, and a result `x_dot` or `x_rate` to the result `x` of any
-kernel whose inputs the first one has too. A result that depends on rates, and whose name tells of
-no such pair, is reported as not covered.
+kernel whose inputs the first one has too, as `x_ddot` does to `x_dot`. A result that depends on
+rates, and whose name tells of no such pair, is reported as not covered.
 """
 
 from __future__ import annotations
@@ -96,7 +96,8 @@ def _not_covered(kernel: Kernel, output: Output) -> Skipped:
         "dual numbers",
         f"its name does not tell what it is the derivative of: name it {known} where a kernel "
         "pose returns the pose, Omega of velocity_x where matrix_x returns the rotation, or of "
-        "x_rates where x does, or x_dot or x_rate where a kernel of the same inputs returns x",
+        "x_rates where x does, or x_dot or x_rate where a kernel of the same inputs returns x, "
+        "or x_ddot where one returns x_dot",
     )
 
 
@@ -105,7 +106,7 @@ def _not_covered(kernel: Kernel, output: Output) -> Skipped:
 
 def _primitive(record: Derivation, kernel: Kernel, output: Output) -> tuple[Kernel, Output] | None:
     """The result that `output` is the rate of, and a kernel that returns it."""
-    name = output.name.removesuffix("_dot").removesuffix("_rate")
+    name = _primitive_name(output.name)
     if name == output.name:
         return None
     given = {id(q) for q in kernel.inputs}
@@ -115,6 +116,12 @@ def _primitive(record: Derivation, kernel: Kernel, output: Output) -> tuple[Kern
             if fits and all(id(q) in given for q in base.inputs) and _moves(kernel, base):
                 return base, candidate
     return None
+
+
+def _primitive_name(name: str) -> str:
+    if name.endswith("_ddot"):
+        return f"{name.removesuffix('_ddot')}_dot"
+    return name.removesuffix("_dot").removesuffix("_rate")
 
 
 def _is_geometric_jacobian(kernel: Kernel, output: Output, pose: Kernel) -> bool:

@@ -3,7 +3,7 @@
 Each part stands in a file of its own; their order here is their order on the page.
 """
 
-from armillary import Status
+from armillary import Status, near, vector
 
 from .symbols import (
     D,
@@ -19,9 +19,11 @@ from .symbols import (
     guess,
     l_given,
     mass,
+    metre,
     n_d,
     theta_rim,
     z_dot,
+    z_O,
 )
 from .dish import alpha_aim, at_zenith, beta_aim, f_rim
 from .facet import H_R_M, M, face_down, off_dish
@@ -174,6 +176,7 @@ d.kernel(
     inputs=[l_given, guess],
     outputs={"H_R_M": H_R_found, "M": M_found},
     cases=[(Status.NOT_CONVERGED, lost, "the search did not end on rods of these lengths")],
+    drawn={l_given: l_rod, guess: near(vector(alpha, beta, z_O / metre), by=0.1)},
     summary="Rotation and point of the facet on rods of the lengths given, by eight steps of "
     "Newton's method from a guess. OK means rods of these lengths: where the facet stands nearly "
     "on edge, only a close guess tells which of two poses.",

@@ -55,6 +55,26 @@ def test_a_result_whose_name_tells_nothing_is_reported(tmp_path):
     assert len(made) == len(CHECKS)
 
 
+MOVED = f"""{TWO_AXES}
+a_ddot, b_ddot = a_dot.rate("a_ddot", "rate of a_dot"), b_dot.rate("b_ddot", "rate of b_dot")
+height_ddot = d.define("height_ddot", time_derivative(height_rate), because="differentiate")
+d.kernel("speed", inputs=[a, b, a_dot, b_dot], outputs={{"height_dot": height_rate}})
+d.kernel("lift", inputs=[a, b, a_dot, b_dot, a_ddot, b_ddot], outputs=[height_ddot])
+"""
+
+
+def test_an_acceleration_is_the_rate_of_a_rate(tmp_path):
+    def accelerations(folder, text):
+        claim = "height_ddot is the time derivative of height_dot"
+        return [m for m in checked(folder, text) if m.name == claim]
+
+    (right,) = accelerations(tmp_path / "right", MOVED)
+    assert right.passed
+    assert right.points > 20
+    wrong = MOVED.replace("time_derivative(height_rate)", "time_derivative(height_rate) * 2")
+    assert [m.passed for m in accelerations(tmp_path / "wrong", wrong)] == [False]
+
+
 TURNS = '''"""Turns."""
 
 from armillary import Chain, Derivation, X, Z
