@@ -69,6 +69,7 @@ class Builder:
         kernel: Kernel,
         results: tuple[Result, ...],
         cases: tuple[tuple[Status, int], ...],
+        beforehand: frozenset[str] = frozenset(),
     ) -> Program:
         """The program of what the results need, renumbered; the rest is dropped."""
         _check_domains(self.domains, results, cases)
@@ -87,6 +88,7 @@ class Builder:
             {new[n]: tuple(ls) for n, ls in sorted(self.labels.items()) if n in new},
             {new[n]: new[self.carried[n]] for n in phis},
             {new[n]: self.domains[n] for n in phis},
+            beforehand,
         )
 
     def _needed(self, stack: list[int]) -> set[int]:

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from armillary.derivation.errors import DerivationError
 from armillary.derivation.statements import Kernel
 from armillary.program.arithmetic import Reals
-from armillary.program.cost import Cost, cost
+from armillary.program.cost import Cost, cost, measure
 from armillary.program.evaluate import evaluate
 from armillary.program.lower import Strategy, lower
-from armillary.program.passes import PASSES
+from armillary.program.passes import STAGES
 from armillary.program.program import Program
+from armillary.program.rates import mounted
 from armillary.program.sample import sample_points
-from armillary.program.scalarise import scalarise
-from armillary.program.search import Found, cheapest
+from armillary.program.search import Found, cheapest, cheapest_step
+from armillary.program.stages import Stages, divided, has_stages
 
 AGREEMENT = "1e-40"
 
@@ -34,6 +35,7 @@ class Compiled:
     strategy: Strategy
     cost: Cost
     local: int
+    found: Found = field(repr=False)
 
 
 def compile_kernel(kernel: Kernel) -> Compiled:
@@ -57,7 +59,29 @@ def compile_kernel(kernel: Kernel) -> Compiled:
             "or narrow range= of the quantities it stands on",
             kernel.source,
         ) from problem
-    return Compiled(found.program, found.strategy, cost(found.program), len(found.local))
+    return Compiled(found.program, found.strategy, cost(found.program), len(found.local), found)
+
+
+def compile_stages(made: Compiled) -> Stages | None:
+    """The set-up and the step of a kernel, proved too; None where it reads only one of the two.
+
+    The step is the cheapest, counted without what the set-up does; it may be that of another
+    program than the call's.
+    """
+    program, kernel = made.program, made.program.kernel
+    if not has_stages(kernel, program.inputs_used()):
+        return None
+    plain = replace(made.found, program=replace(program, beforehand=mounted(kernel)))
+    found = cheapest_step(plain)
+    if found.program.inputs_used() != program.inputs_used():
+        found = plain  # what is refused must be the same
+    if found is not plain:
+        _prove(kernel, found)
+    stages = divided(found.program)
+    for point in sample_points(kernel, 2):
+        given = {**point, **evaluate(stages.setup, point, Reals()).results}
+        _compare("division", program, _values(stages.step, given), _values(program, point))
+    return stages
 
 
 def _without_value(kernel: Kernel) -> str | None:
@@ -79,14 +103,14 @@ def _without_value(kernel: Kernel) -> str | None:
 
 def _prove(kernel: Kernel, found: Found) -> None:
     """Run the passes again, comparing values and cost after each."""
-    program = lower(kernel, found.strategy, found.local)
+    program = lower(kernel, found.strategy, found.local, found.program.beforehand)
     plain = lower(kernel, Strategy())
     points = sample_points(kernel, 2)
     expected = [_values(plain, point) for point in points]
-    before = cost(program).weighted
-    for step in (_same, scalarise, *PASSES):
+    before = measure(program)[0]
+    for step in (_same, *STAGES):
         program = step(program)
-        after = cost(program).weighted
+        after = measure(program)[0]
         if after > before:
             raise PassError(
                 f"{step.__name__} raised the cost of {program.name}: {before} to {after}"

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from armillary.program.program import Op, Program, domains, index_of, is_vector, turns
+from armillary.program.rates import in_step
 
 # A vector operation counts as what it would cost if nothing of it were zero.
 _OPENED: dict[Op, dict[Op, int]] = {
@@ -46,8 +48,25 @@ class Cost:
 
 def cost(program: Program) -> Cost:
     """The cost of one call: over all turns of its loops."""
+    return _counted(program, range(len(program.instructions)))
+
+
+def step_cost(program: Program) -> Cost:
+    """The cost of one step: without what follows from what is known beforehand."""
+    return _counted(program, sorted(in_step(program)))
+
+
+def measure(program: Program) -> tuple[int, int]:
+    """What is made small: the weighted cost of a step if there are any, then that of a call."""
+    whole = cost(program).weighted
+    return step_cost(program).weighted if program.beforehand else whole, whole
+
+
+def _counted(program: Program, numbers: Iterable[int]) -> Cost:
     count: Counter[Op] = Counter()
-    for instruction, domain in zip(program.instructions, domains(program), strict=True):
+    known = domains(program)
+    for number in numbers:
+        instruction, domain = program.instructions[number], known[number]
         for op, times in _OPENED.get(instruction.op, {instruction.op: 1}).items():
             count[op] += times * turns(domain)
         index = index_of(instruction)

@@ -119,12 +119,27 @@ class Result:
 
 
 @dataclass(frozen=True)
+class Field:
+    """What a set-up hands to a step: a number or, with an index, an array over it."""
+
+    name: str
+    index: Index | None
+    condition: bool
+    identifiers: tuple[str, ...]
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return () if self.index is None else (self.index.size,)
+
+
+@dataclass(frozen=True)
 class Program:
     """Instructions in order, what they return, and under which conditions a status.
 
     A PHI has the value of its argument in the first turn of its iteration, and afterwards the one
     that the instruction `carried[phi]`, later in the order, had in the turn before. `phi_domains`
-    tells what each PHI depends on.
+    tells what each PHI depends on. `beforehand` names the quantities that a set-up is told: what
+    follows from them alone is not counted (see `rates`). A step reads `fields` beside its inputs.
     """
 
     kernel: Kernel
@@ -134,6 +149,8 @@ class Program:
     labels: dict[int, tuple[Label, ...]] = field(default_factory=dict)
     carried: dict[int, int] = field(default_factory=dict)
     phi_domains: dict[int, Domain] = field(default_factory=dict)
+    beforehand: frozenset[str] = frozenset()
+    fields: tuple[Field, ...] = ()
     _asked: dict[object, object] = field(
         default_factory=dict, init=False, repr=False, compare=False
     )
@@ -154,9 +171,13 @@ class Program:
         found = set()
         for instruction in self.instructions:
             if instruction.op is Op.INPUT:
-                data = instruction.data
-                found.add(data[0] if isinstance(data, tuple) else str(data))
+                found.add(input_name(instruction))
         return frozenset(found)
+
+    def key(self) -> object:
+        """What tells it apart from another program of its kernel."""
+        dicts = (self.labels, self.carried, self.phi_domains)
+        return self.instructions, self.results, self.cases, *(tuple(d.items()) for d in dicts)
 
     def digest(self) -> str:
         """A hash of everything a target prints."""
@@ -167,6 +188,8 @@ class Program:
         if any(domains(self)) or any(r.indices for r in self.results):
             text += [repr(sorted(self.carried.items())), repr([r.indices for r in self.results])]
             text += [repr(sorted(map(_named, domains(self)[phi]))) for phi in self.carried]
+        if self.kernel.stage:
+            text += [self.kernel.stage, repr(self.fields)]
         if self.kernel.stateful:
             text += [self.kernel.stateful, repr([(q.name, q.shape) for q in self.kernel.states])]
         return hashlib.sha256("\n".join(text).encode()).hexdigest()
@@ -225,6 +248,12 @@ def index_of(instruction: Instruction) -> Index | None:
     if isinstance(data, tuple):
         return next((part for part in data[:2] if isinstance(part, Index)), None)
     return data if isinstance(data, Index) else None
+
+
+def input_name(instruction: Instruction) -> str:
+    """The quantity that an INPUT reads."""
+    data = instruction.data
+    return str(data[0] if isinstance(data, tuple) else data)
 
 
 def place_of(data: tuple[Any, ...], point: Mapping[Index, int]) -> int:

@@ -29,7 +29,7 @@ class Rewriter:
             replace(r, entries=tuple(self.new[e] for e in r.entries)) for r in p.results
         )
         cases = tuple((status, self.new[c]) for status, c in p.cases)
-        return self.builder.finish(p.kernel, results, cases)
+        return self.builder.finish(p.kernel, results, cases, p.beforehand)
 
     def rewrite(self, number: int) -> int:
         """The number of the instruction that takes this one's place."""

@@ -31,7 +31,7 @@ def unrolled(program: Program) -> Program:
         for r in program.results
     )
     cases = tuple((status, new[walked.numbers[c, ()]]) for status, c in program.cases)
-    return builder.finish(program.kernel, results, cases)
+    return builder.finish(program.kernel, results, cases, program.beforehand)
 
 
 def _turn(b: Builder, instruction: Instruction, args: list[int], step: Step) -> int:

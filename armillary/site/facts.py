@@ -21,11 +21,12 @@ from armillary.verify.results import read as read_checks
 
 @dataclass(frozen=True)
 class Printed:
-    """A kernel as it was generated; its prototypes by precision."""
+    """A kernel as it was generated: its prototypes by precision, and what its stages cost."""
 
     signatures: Mapping[str, str]
     cost: Cost
     digest: str
+    stages: Mapping[str, Cost]
 
 
 @dataclass(frozen=True)
@@ -51,7 +52,9 @@ class Facts:
         found = entry.kernels.get(kernel.name) if entry else None
         if found is None or found["stated"] != kernel_digest(derivation, kernel):
             return None
-        return Printed(found["signatures"], Cost(**found["cost"]), found["digest"])
+        stages = {name: Cost(**found["stages"][name]["cost"]) for name in found["stages"]}
+        ordered = {name: stages[name] for name in ("setup", "step") if name in stages}
+        return Printed(found["signatures"], Cost(**found["cost"]), found["digest"], ordered)
 
     def checks_of(self, derivation: Derivation) -> Standing:
         """The checks of one system, in the order they ran; none of before its last edit."""

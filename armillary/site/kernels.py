@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from armillary.derivation.fingerprint import kernel_definitions
@@ -10,7 +11,9 @@ from armillary.derivation.statements import Kernel, Output
 from armillary.derivation.status import MEANINGS, Status
 from armillary.derivation.symbols import leaves
 from armillary.site.facts import Facts
+from armillary.site.notation import Notation
 from armillary.site.steps import Link, definition_link, unit_text
+from armillary.site.structure import Structure
 
 
 @dataclass(frozen=True)
@@ -40,6 +43,22 @@ class Answer:
 
 
 @dataclass(frozen=True)
+class Drawn:
+    """What an input is at the points of checks; `by` is how far it may be off."""
+
+    latex: str
+    by: str
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A set-up or a step: its name, and what it costs."""
+
+    name: str
+    cost: str
+
+
+@dataclass(frozen=True)
 class Card:
     """One kernel."""
 
@@ -50,11 +69,13 @@ class Card:
     python_signature: str
     costs: tuple[Badge, ...]
     digest: str
+    stages: tuple[Stage, ...]
     inputs: tuple[Argument, ...]
     parameters: tuple[str, ...]
     results: tuple[Argument, ...]
     answers: tuple[Answer, ...]
     stands_on: tuple[Link, ...]
+    drawn: tuple[Drawn, ...]
 
 
 def cards(derivation: Derivation, facts: Facts) -> list[Card]:
@@ -73,13 +94,25 @@ def _card(derivation: Derivation, kernel: Kernel, facts: Facts) -> Card:
         _python_signature(kernel) if printed else "",
         _costs(printed.cost) if printed else (),
         printed.digest[:12] if printed else "",
+        tuple(Stage(f"{kernel.name}_{stage}", str(cost))
+              for stage, cost in (printed.stages.items() if printed else ())),
         tuple(Argument(q.name, _about(q.facts.meaning, unit_text(q.unit), q.shape))
               for q in kernel.inputs),
         tuple(q.name for q in kernel.parameters if q.name in _read(kernel)),
         tuple(_result(output) for output in kernel.outputs),
         tuple(_answers(kernel)),
         tuple(definition_link(derivation, d) for d in definitions),
+        tuple(_drawn(derivation, kernel)),
     )  # fmt: skip
+
+
+def _drawn(derivation: Derivation, kernel: Kernel) -> Iterator[Drawn]:
+    notation = Notation(derivation)
+    written = Structure(notation)
+    for one in kernel.drawn:
+        latex = f"{notation.leaf(one.quantity)} = {written(one.output.value)}"
+        unit = unit_text(one.quantity.unit)
+        yield Drawn(latex, f"{one.by:g}{' ' + unit if unit else ''}" if one.by else "")
 
 
 def _python_signature(kernel: Kernel) -> str:

@@ -96,6 +96,7 @@ class _Writer:
         quantities = (*kernel.inputs, *kernel.parameters)
         self.parts = {q.name: q.parts for q in quantities}
         self.arrays = {q.name: arrays.get(q.name, q.name) for q in quantities if index_of_parts(q)}
+        self.arrays |= {f.name: arrays.get(f.name, f.name) for f in program.fields if f.index}
         self.taken = set(taken)
         self.temporaries = 0
         self.uses = appearances(program)

@@ -9,9 +9,10 @@ from math import prod
 from armillary.derivation.quantity import AnyQuantity
 from armillary.derivation.statements import Kernel
 from armillary.derivation.status import MEANINGS, Status
-from armillary.program.cost import Cost
+from armillary.program.cost import Cost, cost
 from armillary.program.program import Program
-from armillary.targets.c_comments import comment, facts, function_comment
+from armillary.program.stages import Stages
+from armillary.targets.c_comments import comment, context_comment, facts, function_comment
 from armillary.targets.c_function import function_body, must_not_overlap, state_argument
 from armillary.targets.c_language import WIDTH, C, filled
 from armillary.targets.numbers import PRECISIONS
@@ -31,10 +32,11 @@ class CTarget:
 
 @dataclass(frozen=True)
 class CKernel:
-    """A compiled kernel, ready to print."""
+    """A compiled kernel, ready to print, in two stages too if it has them."""
 
     program: Program
     cost: Cost
+    stages: Stages | None = None
 
 
 # -- names and signatures -------------------------------------------------------------------------
@@ -55,12 +57,20 @@ def state_type(kernel: Kernel, target: CTarget, precision: str) -> str:
     return f"{target.prefix}{kernel.system}_{kernel.controller}_state_{precision}"
 
 
+def context_type(kernel: Kernel, target: CTarget, precision: str) -> str:
+    """The struct that a set-up hands to its steps."""
+    return f"{target.prefix}{kernel.system}_{kernel.whole}_ctx_{precision}"
+
+
 def arguments(kernel: Kernel, target: CTarget, precision: str) -> list[str]:
-    """The C parameters of a kernel: struct, state, inputs in order, results last."""
+    """The C parameters of a kernel: structs, state, inputs in order, results last."""
     kind = "float" if precision == "f32" else "double"
     found = []
     if kernel.parameters:
         found.append(f"const {params_type(kernel.system, target, precision)} *p")
+    context = context_type(kernel, target, precision)
+    if kernel.stage == "step":
+        found.append(f"const {context} *ctx")
     states = {q.name for q in kernel.states}
     if kernel.stateful:
         state = f"{state_type(kernel, target, precision)} *{state_argument(kernel)}"
@@ -76,6 +86,8 @@ def arguments(kernel: Kernel, target: CTarget, precision: str) -> list[str]:
             continue
         name = kernel.result_argument(output.name)
         found.append(f"{kind} {name}[{prod(output.shape)}]" if output.shape else f"{kind} *{name}")
+    if kernel.stage == "setup":
+        found.append(f"{context} *ctx")
     return [*found, state] if kernel.stateful == "init" else found
 
 
@@ -100,12 +112,24 @@ def _prototype(kernel: Kernel, target: CTarget, precision: str) -> str:
 
 def source_file(made: CKernel, target: CTarget, precision: str, abi: str) -> str:
     """The source of one kernel in one precision."""
-    kernel = made.program.kernel
-    header = f"{kernel.system}.h"
-    macro = abi_macro(kernel.system, target)
+    return _source([(made.program, made.cost)], target, precision, abi)
+
+
+def stages_file(stages: Stages, target: CTarget, precision: str, abi: str) -> str:
+    """The source of a kernel's set-up and step in one precision."""
+    both = [(program, cost(program)) for program in (stages.setup, stages.step)]
+    return _source(both, target, precision, abi)
+
+
+def _source(programs: list[tuple[Program, Cost]], target: CTarget, precision: str, abi: str) -> str:
+    first = programs[0][0].kernel
+    header = f"{first.system}.h"
+    macro = abi_macro(first.system, target)
+    names = [function_name(program.kernel, target, precision) for program, _ in programs]
+    told = zip(names, programs, strict=True)
     lines = [
         NOTICE.format(version=target.version).rstrip(),
-        *_cost_comment(function_name(kernel, target, precision), made.cost),
+        *(line for name, (_, spent) in told for line in _cost_comment(name, spent)),
         f'#include "{header}"',
         "",
         "#include <float.h>",
@@ -124,16 +148,20 @@ def source_file(made: CKernel, target: CTarget, precision: str, abi: str) -> str
         "#endif",
         "",
     ]
-    head = [_prototype(kernel, target, precision), "{"]
-    function = [*head, *function_body(made.program, C(PRECISIONS[precision])), "}"]
+    functions: list[str] = []
+    for program, _ in programs:
+        functions += [""] if functions else []
+        functions += _function(program, target, precision)
     if precision == "f64":
-        function = ["#if DBL_MANT_DIG >= 53", "", *function, "", "#else"]
+        functions = ["#if DBL_MANT_DIG >= 53", "", *functions, "", "#else"]
         # An empty translation unit is not C: a type keeps it one where double is too short.
-        function += [
-            f"typedef int {function_name(kernel, target, precision)}_needs_double;",
-            "#endif",
-        ]
-    return "\n".join([*lines, *function]) + "\n"
+        functions += [f"typedef int {names[-1]}_needs_double;", "#endif"]
+    return "\n".join([*lines, *functions]) + "\n"
+
+
+def _function(program: Program, target: CTarget, precision: str) -> list[str]:
+    body = function_body(program, C(PRECISIONS[precision]))
+    return [_prototype(program.kernel, target, precision), "{", *body, "}"]
 
 
 def _cost_comment(name: str, cost: Cost) -> list[str]:
@@ -240,6 +268,22 @@ def _declarations(
             lines += [f"}} {state_type(kernel, target, precision)};", ""]
         lines += function_comment(made.program, made.cost)
         lines += [_prototype(kernel, target, precision) + ";", ""]
+        if made.stages:
+            lines += _stages(made.stages, target, precision, kind)
+    return lines
+
+
+def _stages(stages: Stages, target: CTarget, precision: str, kind: str) -> list[str]:
+    """The struct of what is handed over, the set-up and the step."""
+    kernel = stages.setup.kernel
+    lines = [*context_comment(stages), "typedef struct {"]
+    for made in stages.fields:
+        size = f"[{made.shape[0]}]" if made.index else ""
+        lines.append(f"  {'int' if made.condition else kind} {made.name}{size};")
+    lines += [f"}} {context_type(kernel, target, precision)};", ""]
+    for program in (stages.setup, stages.step):
+        lines += function_comment(program, cost(program))
+        lines += [_prototype(program.kernel, target, precision) + ";", ""]
     return lines
 
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from math import prod
+
 from armillary.derivation.quantity import AnyQuantity, Kind
 from armillary.derivation.statements import Kernel, Output
 from armillary.derivation.status import Status
 from armillary.program.cost import Cost
 from armillary.program.guards import index_of_parts
 from armillary.program.program import Program
+from armillary.program.stages import Stages
 from armillary.targets.c_function import must_not_overlap, state_argument
 from armillary.targets.c_language import filled
 
@@ -17,12 +20,15 @@ def function_comment(program: Program, cost: Cost) -> list[str]:
     kernel = program.kernel
     used = program.inputs_used()
     ignored = [q.name for q in kernel.parameters if q.name not in used]
-    summary = (kernel.summary or kernel.name.replace("_", " ")).rstrip(".")
-    text = [f"@brief {summary}.", "", f"Cost: {cost}."]
+    text = [f"@brief {_summary(kernel)}.", "", f"Cost: {cost}."]
+    if kernel.stage == "setup":
+        text += ["Run it again when a parameter or an argument here has changed."]
     if must_not_overlap(program):
         text += ["Inputs are read while results are written: they must not overlap."]
     if kernel.parameters:
         text.append("@param[in] p parameters" + _ignored(kernel, ignored))
+    if kernel.stage == "step":
+        text.append(f"@param[in] ctx what {kernel.whole}_setup left, its status not negative")
     states = {q.name for q in kernel.states}
     if kernel.stateful == "update":
         text.append(
@@ -37,6 +43,9 @@ def function_comment(program: Program, cost: Cost) -> list[str]:
         for o in kernel.outputs
         if o.name not in states
     ]
+    if kernel.stage == "setup":
+        told = "untouched where the status is negative"
+        text.append(f"@param[out] ctx what {kernel.whole}_step reads; {told}")
     if kernel.stateful == "init":
         text.append(
             f"@param[out] {state_argument(kernel)} state of the {_words(kernel.controller)}"
@@ -48,6 +57,29 @@ def function_comment(program: Program, cost: Cost) -> list[str]:
     text.append(f"@return {names}")
     for case in kernel.cases:
         text.append(f"  {case.status.name}: {case.because}")
+    return _doxygen(text)
+
+
+def context_comment(stages: Stages) -> list[str]:
+    """The Doxygen comment of what a set-up hands over."""
+    whole, count = stages.setup.kernel.whole, sum(prod(f.shape) for f in stages.fields)
+    named = dict.fromkeys(i for made in stages.fields for i in made.identifiers)
+    size = f"{count} number{'' if count == 1 else 's'}"
+    text = [f"@brief What {whole}_setup hands to {whole}_step: {size}."]
+    text.append("Its fields may change from version to version.")
+    if named:
+        text.append(f"It holds {', '.join(named)}.")
+    return _doxygen(text)
+
+
+def _summary(kernel: Kernel) -> str:
+    summary = (kernel.summary or kernel.name.replace("_", " ")).rstrip(".")
+    if kernel.stage == "setup":
+        return f"Set-up of {kernel.whole}: all of it that changes with the mount only"
+    return f"Step of {kernel.whole}. {summary}" if kernel.stage else summary
+
+
+def _doxygen(text: list[str]) -> list[str]:
     lines = ["/**"]
     for line in text:
         wrapped = filled(comment(line), "", "    ", 94) or [""]

@@ -9,7 +9,7 @@ from armillary.derivation.quantity import AnyQuantity
 from armillary.derivation.statements import Kernel
 from armillary.derivation.status import Status
 from armillary.program.guards import index_of_parts
-from armillary.program.program import Program
+from armillary.program.program import Field, Program
 from armillary.targets.body import Body, unused, write_body
 from armillary.targets.c_guards import Test, form_line, guard_loops, refusal
 from armillary.targets.c_language import WIDTH, C
@@ -56,6 +56,7 @@ class _Function:
         self.states = {q.name for q in kernel.states}
         self.state = state_argument(kernel) if kernel.stateful else ""
         taken = {*kernel.argument_names(), "p", "status", self.state}
+        taken |= {"ctx", *(f.name for f in program.fields)}
         self.taken = taken | {kernel.result_argument(o.name) for o in kernel.outputs}
         self.read = _read(program)
         self.places = {q.name: self.place(q) for q in (*kernel.inputs, *kernel.parameters)}
@@ -69,6 +70,7 @@ class _Function:
     def write(self) -> list[str]:
         tests, forms = self.tests()
         lines = [line for q in self.read for line in self.load(q)]
+        lines += [line for made in self.program.fields for line in self.handed(made)]
         lines += forms
         lines += ["int status = ARMILLARY_OK;"]
         kernel, used = self.kernel, self.program.inputs_used()
@@ -120,6 +122,12 @@ class _Function:
             return [f"const {self.c.type} {q.name} = {place};"]
         return [f"const {self.c.type} {part} = {place}[{k}];" for k, part in enumerate(q.parts)]
 
+    def handed(self, made: Field) -> list[str]:
+        """A number that the set-up handed over; its arrays are read where they are used."""
+        if made.index is not None:
+            return []
+        return [f"const {'int' if made.condition else self.c.type} {made.name} = ctx->{made.name};"]
+
     def computation(self) -> Iterator[str]:
         """The lines behind the guards."""
         program, kernel, room = self.program, self.kernel, WIDTH - 6
@@ -132,7 +140,7 @@ class _Function:
             program,
             self.c,
             frozenset(self.taken),
-            arrays=self.places | copies,
+            arrays=self.places | copies | {f.name: f"ctx->{f.name}" for f in program.fields},
             stored=stored,
             late=_is_late(program),
         )
@@ -161,6 +169,8 @@ class _Function:
 
     def result(self, name: str) -> str:
         """Where the caller wants a result."""
+        if self.kernel.stage == "setup":
+            return f"ctx->{name}"
         if self.kernel.stateful and name in self.states:
             return f"{self.state}->{name}"
         return self.kernel.result_argument(name)

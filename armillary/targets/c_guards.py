@@ -14,11 +14,12 @@ from armillary.targets.language import flat_place
 
 @dataclass(frozen=True)
 class Test:
-    """The test of one number: `local` is what it is called."""
+    """The test of one number: `local` is what it is called, `beside` what else a line holds."""
 
     guard: Guard
     local: str
     c: C
+    beside: int = 12
 
     @property
     def magnitude(self) -> str:
@@ -42,7 +43,11 @@ class Test:
         """True for a number that is refused; an infinite square is its components' fault."""
         finite = f"({self.magnitude} <= {self.c.largest})"
         line = f"({finite} && !({self._inside()}))"
-        return line if len(line) + 12 <= WIDTH else f"({finite} &&\n         !({self._inside()}))"
+        return (
+            line
+            if len(line) + self.beside <= WIDTH
+            else f"({finite} &&\n         !({self._inside()}))"
+        )
 
 
 def form_line(local: str, form: Form, parts: tuple[str, ...], c: C) -> list[str]:
@@ -97,7 +102,7 @@ def guard_loops(
                 # The parts of one quantity have one pair of bounds.
                 guard = next(g for g in guards if g.name == q.name)
                 places = (flat_place([(variable, width)], k) for k in range(width))
-                tests += [Test(guard, f"{arrays[q.name]}[{place}]", c) for place in places]
+                tests += [Test(guard, f"{arrays[q.name]}[{place}]", c, 14) for place in places]
         if tests:
             lines += [f"for (int {variable} = 0; {variable} < {index.size}; ++{variable}) {{"]
             lines += [f"  {line}" for line in refusal(tests, 4, first=False)]

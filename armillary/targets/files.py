@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from pprint import pformat
 
@@ -12,10 +12,12 @@ from armillary.derivation.errors import DerivationError
 from armillary.derivation.fingerprint import definition_digest, kernel_definitions, kernel_digest
 from armillary.derivation.record import Derivation
 from armillary.derivation.statements import Kernel
-from armillary.program.compile import Compiled, compile_kernel
-from armillary.program.cost import Cost
+from armillary.program.compile import Compiled, compile_kernel, compile_stages
+from armillary.program.cost import Cost, cost
 from armillary.program.guards import index_of_parts
 from armillary.program.lower import Strategy
+from armillary.program.program import Program
+from armillary.program.stages import Stages
 from armillary.targets import c, python
 
 _RUNTIME = Path(__file__).parent / "runtime"
@@ -45,6 +47,20 @@ class Target:
 
 
 @dataclass(frozen=True)
+class StageFacts:
+    """What is told of a set-up or a step.
+
+    Attributes:
+        digest: of its program.
+        signatures: its C prototypes by precision.
+    """
+
+    digest: str
+    cost: Cost
+    signatures: dict[str, str]
+
+
+@dataclass(frozen=True)
 class KernelFacts:
     """What is told of a kernel beside its text.
 
@@ -53,6 +69,7 @@ class KernelFacts:
         digest: of the program that was made of that.
         definitions: digest of each that it stands on, by id.
         signatures: its C prototypes by precision.
+        stages: its "setup" and its "step", where it is divided.
     """
 
     name: str
@@ -62,6 +79,7 @@ class KernelFacts:
     strategy: Strategy
     definitions: dict[str, str]
     signatures: dict[str, str]
+    stages: dict[str, StageFacts] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -87,19 +105,43 @@ def render_system(
             derivation.source,
         )
     compiled: dict[str, Compiled] = {}
+    stages: dict[str, Stages] = {}
     for name, kernel in derivation.kernels.items():
         progress(kernel)
         compiled[name] = compile_kernel(kernel)
-    abi = _abi(derivation, target, compiled)
-    files = {**_c_files(derivation, target, compiled, abi)}
+        divided = compile_stages(compiled[name])
+        if divided:
+            _must_be_free(derivation, kernel)
+            stages[name] = divided
+    programs = [k.program for k in compiled.values()]
+    abi = _abi(derivation, target, [*programs, *_both(stages)])
+    files = {**_c_files(derivation, target, compiled, stages, abi)}
     files[f"python/{target.package}/{derivation.name}.py"] = python.module_file(
         derivation.name,
         derivation.title,
         [python.PythonKernel(k.program, k.cost) for k in compiled.values()],
         target.version,
     )
-    facts = {name: _facts(derivation, made, target) for name, made in compiled.items()}
-    return Rendered(derivation.name, files, facts, _table(derivation, compiled))
+    facts = {
+        name: _facts(derivation, made, stages.get(name), target) for name, made in compiled.items()
+    }
+    return Rendered(derivation.name, files, facts, _table(derivation, compiled, stages))
+
+
+def _must_be_free(derivation: Derivation, kernel: Kernel) -> None:
+    """The two functions of a divided kernel need their names."""
+    for name in (f"{kernel.name}_setup", f"{kernel.name}_step"):
+        if name in derivation.kernels:
+            raise DerivationError(
+                f"{name} is what the stages of the kernel {kernel.name} are called",
+                "give the kernel another name",
+                derivation.kernels[name].source,
+            )
+
+
+def _both(stages: Mapping[str, Stages]) -> Iterator[Program]:
+    for made in stages.values():
+        yield from (made.setup, made.step)
 
 
 def render_shared(target: Target, rendered: Mapping[str, Rendered]) -> dict[str, str]:
@@ -136,9 +178,13 @@ def _signatures(target: Target, table: dict[str, dict[str, object]]) -> str:
 
 
 def _c_files(
-    derivation: Derivation, target: Target, compiled: Mapping[str, Compiled], abi: str
+    derivation: Derivation,
+    target: Target,
+    compiled: Mapping[str, Compiled],
+    stages: Mapping[str, Stages],
+    abi: str,
 ) -> dict[str, str]:
-    made = {name: c.CKernel(k.program, k.cost) for name, k in compiled.items()}
+    made = {name: c.CKernel(k.program, k.cost, stages.get(name)) for name, k in compiled.items()}
     folder = f"c/src/{target.folder}"
     files = {
         f"{folder}/{derivation.name}.h": c.header_file(
@@ -152,20 +198,25 @@ def _c_files(
     }
     for name, kernel in made.items():
         for precision in target.precisions:
-            path = f"{folder}/{derivation.name}_{name}_{precision}.c"
-            files[path] = c.source_file(kernel, target.c, precision, abi)
+            stem = f"{folder}/{derivation.name}_{name}"
+            files[f"{stem}_{precision}.c"] = c.source_file(kernel, target.c, precision, abi)
+            if kernel.stages:
+                text = c.stages_file(kernel.stages, target.c, precision, abi)
+                files[f"{stem}_step_{precision}.c"] = text
     return files
 
 
-def _abi(derivation: Derivation, target: Target, compiled: Mapping[str, Compiled]) -> str:
+def _abi(derivation: Derivation, target: Target, programs: Iterable[Program]) -> str:
     """A number that changes whenever any source or the header of a system does."""
     parts = [target.version, target.c_prefix]
     parts += [f"{q.name}{q.shape}" for q in derivation.parameters]
-    parts += [k.program.digest() for k in compiled.values()]
+    parts += [program.digest() for program in programs]
     return "0x" + hashlib.sha256("\n".join(parts).encode()).hexdigest()[:8] + "UL"
 
 
-def _facts(derivation: Derivation, made: Compiled, target: Target) -> KernelFacts:
+def _facts(
+    derivation: Derivation, made: Compiled, stages: Stages | None, target: Target
+) -> KernelFacts:
     kernel = made.program.kernel
     definitions = kernel_definitions(derivation, kernel)
     return KernelFacts(
@@ -175,21 +226,30 @@ def _facts(derivation: Derivation, made: Compiled, target: Target) -> KernelFact
         made.cost,
         made.strategy,
         {identifier: definition_digest(d) for identifier, d in definitions.items()},
-        {p: c.signature(kernel, target.c, p) for p in target.precisions},
+        _signatures_of(made.program, target),
+        {
+            program.kernel.stage: StageFacts(
+                program.digest(), cost(program), _signatures_of(program, target)
+            )
+            for program in ((stages.setup, stages.step) if stages else ())
+        },
     )
 
 
-def _table(derivation: Derivation, compiled: Mapping[str, Compiled]) -> dict[str, object]:
+def _signatures_of(program: Program, target: Target) -> dict[str, str]:
+    return {p: c.signature(program.kernel, target.c, p) for p in target.precisions}
+
+
+def _table(
+    derivation: Derivation, compiled: Mapping[str, Compiled], stages: Mapping[str, Stages]
+) -> dict[str, object]:
     """Names and shapes in the order of the arguments, and what runs over an index."""
     kernels: dict[str, object] = {}
     arrays: dict[str, None] = {}
     for name, made in compiled.items():
-        kernel, used = made.program.kernel, made.program.inputs_used()
-        facts: dict[str, object] = {
-            "inputs": [(q.name, q.shape) for q in kernel.inputs],
-            "reads": [q.name for q in kernel.parameters if q.name in used],
-            "results": [(o.name, o.shape) for o in kernel.outputs],
-        }
+        kernel, facts = made.program.kernel, _row(made.program)
+        if name in stages:
+            facts["stages"] = {p.kernel.stage: _row(p) for p in _both({name: stages[name]})}
         if kernel.stateful:
             facts["states"] = [(q.name, q.shape) for q in kernel.states]
             facts["stateful"], facts["controller"] = kernel.stateful, kernel.controller
@@ -198,3 +258,13 @@ def _table(derivation: Derivation, compiled: Mapping[str, Compiled]) -> dict[str
         arrays.update((q.name, None) for q in quantities if index_of_parts(q))
     parameters = [(q.name, q.shape) for q in derivation.parameters]
     return {"parameters": parameters, "arrays": list(arrays), "kernels": kernels}
+
+
+def _row(program: Program) -> dict[str, object]:
+    """What one function is called with, and what it gives."""
+    kernel, used = program.kernel, program.inputs_used()
+    return {
+        "inputs": [(q.name, q.shape) for q in kernel.inputs],
+        "reads": [q.name for q in kernel.parameters if q.name in used],
+        "results": [(o.name, o.shape) for o in kernel.outputs],
+    }

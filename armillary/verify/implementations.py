@@ -31,11 +31,24 @@ class Implementation:
         name: "numpy f64", "c f32", ...; the key in the tolerances.
         dtype: what it computes in; inputs are rounded to it first.
         call: kernel name and arrays of that dtype to results by name, `status` among them.
+        like: the target whose tolerances it is held to, where that is another.
+        only: the kernels that it has; None for all.
     """
 
     name: str
     dtype: type[np.floating[Any]]
     call: Callable[[str, Inputs], Results]
+    like: str = ""
+    only: frozenset[str] | None = None
+
+    @property
+    def key(self) -> str:
+        """Its place in the tolerances."""
+        return self.like or self.name
+
+    def has(self, kernel: str) -> bool:
+        """Whether it has a kernel."""
+        return self.only is None or kernel in self.only
 
     @property
     def epsilon(self) -> float:
@@ -128,15 +141,24 @@ def native_implementations(
 
 
 def _native(folder: Path, native: ModuleType, system: str, name: str, dtype: Any) -> Implementation:
-    need_compiler()
-    with _importing(folder):
-        module = getattr(native, system)
+    module = native_system(folder, native, system)
 
     def call(kernel: str, inputs: Inputs) -> Results:
         answer = getattr(module, kernel)(**inputs)
         return {field: np.asarray(getattr(answer, field)) for field in answer._fields}
 
     return Implementation(name, dtype, call)
+
+
+def native_system(folder: Path, native: ModuleType, system: str) -> Any:
+    """The compiled kernels of one system.
+
+    Raises:
+        EngineMissing: if there is no compiler.
+    """
+    need_compiler()
+    with _importing(folder):
+        return getattr(native, system)
 
 
 def need_compiler() -> None:

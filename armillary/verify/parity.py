@@ -160,4 +160,4 @@ def tolerance_of(
     known: Mapping[str, Mapping[str, float]], kernel: str, implementation: Implementation
 ) -> float | None:
     """The committed tolerance of a kernel on a target, if there is one."""
-    return known.get(kernel, {}).get(implementation.name)
+    return known.get(kernel, {}).get(implementation.key)

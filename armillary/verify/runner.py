@@ -30,6 +30,7 @@ from armillary.verify.implementations import (
 )
 from armillary.verify.measured import Measured, Skipped
 from armillary.verify.results import Outcome, checked_digest
+from armillary.verify.stages import stages_implementations
 
 _LOCK = Path("build") / "tolerances.lock"
 
@@ -77,7 +78,7 @@ def update_tolerances(
         for found, implementation in _parity(root, package, records[system], parity.POINTS):
             if implementation is not None and _is_number(found):
                 tolerance = tolerances.rounded_up(found.worst, implementation.epsilon)
-                measured.append((str(found.kernel), implementation.name, tolerance))
+                measured.append((str(found.kernel), implementation.key, tolerance))
                 found = replace(found, tolerance=tolerance, why="")
             yield _outcome(system, "", found)
         kernels = records[system].kernels
@@ -165,6 +166,8 @@ def _parity(
             yield Measured(parity.VALUES, name, None, 0, float("nan"), 0.0, {}, text), None
             continue
         for reference in references.values():
+            if not implementation.has(reference.program.kernel.name):
+                continue
             for found in _on_target(reference, implementation, known):
                 yield found, implementation
 
@@ -196,7 +199,9 @@ def _targets(
             raise missing
 
         return [("numpy f64", absent)]
-    return [*python_implementations(module), *native_implementations(folder, package, system)]
+    compiled = native_implementations(folder, package, system)
+    stages = stages_implementations(folder, package, system)
+    return [*python_implementations(module), *compiled, *stages]
 
 
 # -- results --------------------------------------------------------------------------------------

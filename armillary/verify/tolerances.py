@@ -77,8 +77,11 @@ def write(folder: Path, tolerances: Mapping[str, Mapping[str, float]]) -> None:
 
 
 def merged(known: Tolerances, measured: Iterable[tuple[str, str, float]]) -> Tolerances:
-    """The known tolerances with (kernel, target, tolerance) put in."""
+    """The known tolerances with (kernel, target, tolerance) put in; of several the largest."""
     found = {kernel: dict(targets) for kernel, targets in known.items()}
+    new: dict[tuple[str, str], float] = {}
     for kernel, target, tolerance in measured:
+        new[kernel, target] = max(tolerance, new.get((kernel, target), 0.0))
+    for (kernel, target), tolerance in new.items():
         found.setdefault(kernel, {})[target] = tolerance
     return found

@@ -10,10 +10,14 @@ SCRIPT = """
 import sys
 from pathlib import Path
 from armillary.derivation.load import load_all
-from armillary.program.compile import compile_kernel
+from armillary.program.compile import compile_kernel, compile_stages
 for name, record in load_all(Path(sys.argv[1])).items():
     for kernel in record.kernels.values():
-        print(name, kernel.name, compile_kernel(kernel).program.digest())
+        made = compile_kernel(kernel)
+        stages = compile_stages(made)
+        print(name, kernel.name, made.program.digest())
+        if stages:
+            print(stages.setup.digest(), stages.step.digest())
 """
 DEMO = """
 from armillary import *
@@ -46,6 +50,6 @@ def digests(root, seed, **more):
 def test_digests_do_not_depend_on_the_hash_seed(project):
     root = project(demo=DEMO)
     first = digests(root, "0")
-    assert first.count("\n") == 2
+    assert first.count("\n") == 3  # two kernels, and the stages of one
     assert digests(root, "1") == first
     assert digests(root, "2", LC_ALL="C", TZ="Pacific/Apia") == first

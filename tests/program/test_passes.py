@@ -205,7 +205,7 @@ def test_a_broken_pass_is_refused(monkeypatch):
                 return self.builder.constant(sympy.Rational(1, 7))
             return super().rewrite(number)
 
-    monkeypatch.setattr(compiler, "PASSES", (lambda p: Wrong(p).run(),))
+    monkeypatch.setattr(compiler, "STAGES", (scalarise, lambda p: Wrong(p).run()))
     with pytest.raises(compiler.PassError, match="changed a value"):
         compile_kernel(kernel_of(record, INPUTS, {"r": 3 * sin(x) + y}))
 
@@ -213,7 +213,7 @@ def test_a_broken_pass_is_refused(monkeypatch):
 def test_a_dear_pass_is_refused(monkeypatch):
     from armillary.program import compile as compiler
 
-    monkeypatch.setattr(compiler, "PASSES", (_twice,))
+    monkeypatch.setattr(compiler, "STAGES", (scalarise, _twice))
     with pytest.raises(compiler.PassError, match="raised the cost"):
         compile_kernel(kernel_of(record, INPUTS, {"r": sqrt(3 + x) + y}))
 

@@ -39,12 +39,31 @@ def shell(commands: str, folder: Path, **more: str) -> str:
 @needs("cc")
 def test_the_c_chapter(tmp_path):
     (tmp_path / "generated").symlink_to(ROOT / "generated")
-    (source,) = blocks("using-c.md", "c")
-    (tmp_path / "tracker.c").write_text(source, "utf-8")
-    (commands,) = blocks("using-c.md", "sh")
+    sources, commands = blocks("using-c.md", "c"), blocks("using-c.md", "sh")
+    for name, source in zip(("tracker.c", "steps.c"), sources, strict=True):
+        (tmp_path / name).write_text(source, "utf-8")
+    strict = "".join(commands).replace("-O2", "-O2 -Wall -Wextra -Wdouble-promotion -Werror")
+    told = shell(strict, tmp_path)
     # 3.2 m up to the axis, less half a metre times the sine of the tilt
-    strict = commands.replace("-O2", "-O2 -Wall -Wextra -Wdouble-promotion -Werror")
-    assert "tilt 0.3841 height 3.0126" in shell(strict, tmp_path)
+    assert "tilt 0.3841 height 3.0126" in told
+    assert re.findall(r"status 0 alpha (\S+) beta (\S+)", told) == steps_of_the_chapter()
+
+
+def steps_of_the_chapter():
+    """What the undivided kernel answers."""
+    source = ROOT / "generated" / "python"
+    asked = (
+        "from armillary_kernels import heliostat\n"
+        "for k in range(3):\n"
+        "    a = heliostat.track(latitude=0.698, b=[0, 0.8, 0.6], declination=0.409,"
+        " hour_angle=0.3 + 0.1 * k, theta=0.01, psi=-0.02, chi=0.005)\n"
+        "    print(f'{float(a.alpha):.4f} {float(a.beta):.4f}')\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", asked], env={"PYTHONPATH": str(source)}, capture_output=True,
+        text=True, check=True,
+    )  # fmt: skip
+    return [tuple(line.split()) for line in done.stdout.splitlines()]
 
 
 def python_examples():

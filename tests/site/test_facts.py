@@ -89,3 +89,20 @@ def test_a_manifest_of_another_format_tells_nothing(tmp_path):
     path.write_text(path.read_text("utf-8").replace('"format": ', '"format": 9'), "utf-8")
     facts = read_facts(root)
     assert (facts.package, dict(facts.systems)) == ("", {})
+
+
+def test_a_divided_kernel_tells_what_set_up_and_step_cost(tmp_path):
+    root = made(tmp_path)
+    card = cards(demo(root), read_facts(root))[0]
+    assert card.stages == ()
+    assert "demo_pose_setup" not in page(root)
+    angle = 't, u = d.angle("t_f64", "turn", rate=Rate.MOUNT)'
+    edit(root, "demo", 't, u = d.angle("t_f64", "turn")', angle)
+    edit(root, "demo", "Derivation, Status", "Derivation, Rate, Status, sin")
+    edit(root, "demo", "2 * t", "u * sin(t)")
+    regenerate(find_project(root))
+    setup, step = cards(demo(root), read_facts(root))[0].stages
+    assert (setup.name, step.name) == ("pose_setup", "pose_step")
+    assert "1 sin/cos" in setup.cost
+    assert "1 flops (1 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos" in step.cost
+    assert f"<code>pose_step</code> {step.cost}" in page(root)

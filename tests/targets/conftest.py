@@ -11,6 +11,7 @@ import pytest
 from armillary.derivation.load import load_all
 from armillary.derivation.record import Derivation
 from armillary.program.compile import Compiled
+from armillary.program.stages import Stages
 from armillary.targets import files
 from armillary.targets.files import Target, render_shared, render_system
 from tests.targets.stress import SYSTEMS
@@ -27,6 +28,7 @@ class Printed:
     target: Target
     records: dict[str, Derivation]
     compiled: dict[tuple[str, str], Compiled]
+    stages: dict[tuple[str, str], Stages]
 
     @property
     def c(self) -> Path:
@@ -47,16 +49,23 @@ class Printed:
 
 def print_all(folder: Path, target: Target, records: dict[str, Derivation]) -> Printed:
     """Render systems and write them, as the project does."""
-    compiled = {}
+    compiled, stages = {}, {}
 
     def remember(kernel):
         made = compile_kernel(kernel)
         compiled[kernel.system, kernel.name] = made
         return made
 
-    compile_kernel = files.compile_kernel
+    def remember_stages(made):
+        found, kernel = compile_stages(made), made.program.kernel
+        if found:
+            stages[kernel.system, kernel.name] = found
+        return found
+
+    compile_kernel, compile_stages = files.compile_kernel, files.compile_stages
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(files, "compile_kernel", remember)
+        patch.setattr(files, "compile_stages", remember_stages)
         rendered = {name: render_system(record, target) for name, record in records.items()}
     texts = render_shared(target, rendered)
     for system in rendered.values():
@@ -65,7 +74,7 @@ def print_all(folder: Path, target: Target, records: dict[str, Derivation]) -> P
         place = folder / path
         place.parent.mkdir(parents=True, exist_ok=True)
         place.write_text(text, "utf-8")
-    return Printed(folder, target, records, compiled)
+    return Printed(folder, target, records, compiled, stages)
 
 
 @pytest.fixture(scope="session", autouse=True)

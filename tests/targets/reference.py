@@ -1,5 +1,7 @@
 """What a kernel must answer: the evaluator at 50 digits, after the guards."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from armillary.program.arithmetic import Reals
@@ -17,9 +19,10 @@ def read_quantities(program):
 
 
 def points(program, count, dtype=np.float64, seed=3):
-    """Random points of the working range, in a precision."""
-    wanted = read_quantities(program)
-    return {n: a.astype(dtype) for n, a in random_points(wanted, count, seed).items()}
+    """Random points of the working range, or as the kernel draws them, in a precision."""
+    kernel, wanted = program.kernel, read_quantities(program)
+    read = replace(kernel, parameters=tuple(q for q in kernel.parameters if q in wanted))
+    return {n: a.astype(dtype) for n, a in random_points(read, count, seed).items()}
 
 
 def spoilt(program, count, dtype=np.float64, seed=4):

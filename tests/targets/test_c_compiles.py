@@ -39,14 +39,24 @@ def symbols(path: Path) -> list[tuple[str, str]]:
 
 
 def test_there_is_an_object_for_every_kernel_and_precision(printed, objects):
-    assert len(objects) == 2 * len(printed.compiled)
+    assert printed.stages
+    assert len(objects) == 2 * (len(printed.compiled) + len(printed.stages))
 
 
-def test_one_function_and_nothing_else_is_defined(objects):
+def functions(printed, stem):
+    """What the object of a source defines: a kernel, or the set-up and the step of one."""
+    steps = {f"{system}_{name}_step" for system, name in printed.stages}
+    whole, precision = stem.rsplit("_", 1)
+    if whole not in steps:
+        return [stem]
+    return [f"{whole.removesuffix('_step')}_setup_{precision}", stem]
+
+
+def test_a_kernel_or_its_two_stages_and_nothing_else_is_defined(printed, objects):
     for path in objects:
         # Read-only entries named .L... are the function's own constants.
         found = [s for s in symbols(path) if s[0] != "U" and not re.match(r"r \.L", " ".join(s))]
-        assert found == [("T", path.stem)]
+        assert found == [("T", name) for name in functions(printed, path.stem)]
 
 
 def test_only_libm_is_called_in_the_right_precision(objects):
@@ -101,7 +111,7 @@ def test_headers_are_c_alone_and_together(printed, tmp_path, compiler):
 def test_a_cplusplus_program_links_with_the_objects(printed, objects, tmp_path, compiler):
     whole = "".join(h.read_text() for h in headers(printed))
     declared = re.findall(r"^int (\w+)\(", whole, re.M)
-    assert sorted(declared) == sorted(path.stem for path in objects)
+    assert sorted(declared) == sorted(n for p in objects for n in functions(printed, p.stem))
     lines = [f'#include "{h.name}"' for h in headers(printed)]
     lines += ["#include <cstdio>", "typedef void (*any)(void);", "int main() {"]
     lines += ["  any all[] = {"]

@@ -1,8 +1,8 @@
 """One reciprocal for several divisions by the same value, or by a root and what it is the root of.
 
 A divide costs fourteen multiplications on a Cortex-M4F, so from the second on a shared reciprocal
-pays, and so does one taken outside the loop of its division; a single division beside its divisor
-stays one, because it also rounds once less.
+pays, and so does one taken outside the loop of its division, or by a set-up; a single division
+beside its divisor stays one, because it also rounds once less.
 """
 
 from __future__ import annotations
@@ -11,7 +11,8 @@ from collections import Counter
 
 import sympy
 
-from armillary.program.program import Op, Program, domains
+from armillary.program.program import Op, Program, domains, turns
+from armillary.program.rates import handed
 from armillary.program.rewrite import Rewriter
 
 
@@ -24,12 +25,13 @@ def share_reciprocals(program: Program) -> Program:
         if i.op is Op.SQRT and number in divisors and i.args[0] in divisors
     }
     shared = {d for d, times in divisors.items() if times > 1} | set(roots.values())
-    known = domains(program)
-    shared |= {
-        i.args[1]
-        for number, i in enumerate(program.instructions)
-        if i.op is Op.DIVIDE and known[i.args[1]] < known[number]
-    }
+    known, free = domains(program), handed(program)
+    for number, i in enumerate(program.instructions):
+        if i.op is Op.DIVIDE:
+            divisor = i.args[1]
+            outside = turns(known[divisor]) < turns(known[number])
+            if outside or (free[divisor] and not free[number]):
+                shared.add(divisor)
     return _Share(program, shared, set(roots)).run()
 
 

@@ -6,6 +6,7 @@ So does the sum over an index of a*x, where a does not depend on it: a times the
 from __future__ import annotations
 
 from armillary.program.program import Op, Program, domains, index_of, turns
+from armillary.program.rates import handed, is_handed, runs
 from armillary.program.rewrite import Rewriter, uses
 
 
@@ -24,7 +25,7 @@ Pair = tuple[int, int]
 class _Factor(Rewriter):
     def __init__(self, program: Program) -> None:
         super().__init__(program)
-        self.uses = uses(program)
+        self.uses, self.handed, self.runs = uses(program), handed(program), runs(program)
 
     def rewrite(self, number: int) -> int:
         i = self.program.instructions[number]
@@ -43,8 +44,11 @@ class _Factor(Rewriter):
     def _pays(self, number: int, common: int, left: Pair, right: Pair) -> bool:
         """Whether the sum of the other factors is not dearer, over all turns, than a product."""
         known, i = domains(self.program), self.program.instructions[number]
-        others = [known[_other(pair, common)] for pair in (left, right)]
-        return turns(others[0] | others[1]) <= sum(turns(known[a]) for a in i.args)
+        first, second = (_other(pair, common) for pair in (left, right))
+        free = self.handed[first] and self.handed[second]
+        joint = known[first] | known[second]
+        times = 0 if is_handed(free, joint) else turns(joint)
+        return times <= sum(self.runs[a] for a in i.args)
 
     def _outside(self, number: int) -> int | None:
         """A sum of products or quotients with what is the same for all of them taken out."""

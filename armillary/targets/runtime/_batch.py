@@ -1,5 +1,6 @@
 """The C around the kernels: each called over a batch, with an array for each argument."""
 
+from collections.abc import Iterator
 from math import prod
 from typing import Any
 
@@ -14,28 +15,57 @@ def batch_source() -> str:
     Where the status is negative the results are NaN, but a state that is kept in place is left as
     it was.
     """
-    lines = ["#include <float.h>", "#include <math.h>", "#include <stddef.h>"]
-    lines += [f'#include "{system}.h"' for system in SYSTEMS]
-    for system, facts in SYSTEMS.items():
-        for name in facts["kernels"]:
-            for precision in PRECISIONS:
-                lines += _function(system, name, precision)
+    lines = _includes()
+    for system, name, facts, precision in _each():
+        lines += _function(system, name, facts, precision)
     return "\n".join(lines) + "\n"
 
 
-def _function(system: str, name: str, precision: str) -> list[str]:
-    facts = SYSTEMS[system]["kernels"][name]
+def stages_source() -> str:
+    """C that runs each set-up, and each step over a batch.
+
+    What a set-up leaves is passed on without its type, and a function tells its size.
+    """
+    lines = _includes()
+    for system, name, facts, precision in _each():
+        if "stages" in facts:
+            lines += _setup(system, name, facts["stages"]["setup"], precision)
+            lines += _function(system, name, facts["stages"]["step"], precision, "_step")
+    return "\n".join(lines) + "\n"
+
+
+def stages_files() -> set[str]:
+    """The files that set-ups and steps are in."""
+    return {f"{s}_{name}_step_{p}.c" for s, name, facts, p in _each() if "stages" in facts}
+
+
+def _each() -> Iterator[tuple[str, str, Any, str]]:
+    for system, facts in SYSTEMS.items():
+        for name, kernel in facts["kernels"].items():
+            for precision in PRECISIONS:
+                yield system, name, kernel, precision
+
+
+def _includes() -> list[str]:
+    lines = ["#include <float.h>", "#include <math.h>", "#include <stddef.h>"]
+    return [*lines, *(f'#include "{system}.h"' for system in SYSTEMS)]
+
+
+def _function(system: str, name: str, facts: Any, precision: str, stage: str = "") -> list[str]:
     kind = TYPES[precision]
-    symbol = f"{system}_{name}_{precision}"
-    head = f"void batch_{symbol}(size_t n, const {kind} *const *in, const size_t *step,"
+    symbol = f"{system}_{name}{stage}_{precision}"
+    given = "const void *ctx, " if stage else ""
+    head = f"void batch_{symbol}({given}size_t n, const {kind} *const *in, const size_t *step,"
     rest = f"                    {kind} *const *out, signed char *status)"
     lines = [head, f"{rest};", head, rest, "{", "  (void)in; (void)step; (void)out;"]
     lines += ["  for (size_t i = 0; i < n; i++) {"]
     states = dict(facts.get("states", []))
     call = []
-    if SYSTEMS[system]["parameters"]:
+    if SYSTEMS[system]["parameters"] and (facts["reads"] or not stage):
         lines += _parameters(system, facts, precision)
         call.append("&p")
+    if stage:
+        call.append(f"(const {PREFIX}{system}_{name}_ctx_{precision} *)ctx")
     if states:
         lines.append(f"    {PREFIX}{system}_{facts['controller']}_state_{precision} state = {{0}};")
     if facts.get("stateful") == "update":
@@ -56,11 +86,31 @@ def _function(system: str, name: str, precision: str) -> list[str]:
     return [*lines, "    status[i] = (signed char)answer;", "  }", "}"]
 
 
-def _parameters(system: str, facts: Any, precision: str) -> list[str]:
+def _setup(system: str, name: str, facts: Any, precision: str) -> list[str]:
+    """The set-up of one mount, and the size of what it leaves."""
+    kind, symbol = TYPES[precision], f"{system}_{name}_setup_{precision}"
+    context = f"{PREFIX}{system}_{name}_ctx_{precision}"
+    size, head = (
+        f"size_t size_{symbol}(void)",
+        f"int one_{symbol}(const {kind} *const *in, void *ctx)",
+    )
+    lines = [f"{size};", f"{size} {{ return sizeof({context}); }}", f"{head};", head, "{"]
+    lines += ["  (void)in;"]
+    call = []
+    if SYSTEMS[system]["parameters"]:
+        lines += _parameters(system, facts, precision, batch=False)
+        call.append("&p")
+    call += [f"in[{k}]" if shape else f"*in[{k}]" for k, (_, shape) in enumerate(facts["inputs"])]
+    call.append(f"({context} *)ctx")
+    return [*lines, f"  return {PREFIX}{symbol}({', '.join(call)});", "}"]
+
+
+def _parameters(system: str, facts: Any, precision: str, batch: bool = True) -> list[str]:
     lines = [f"    {PREFIX}{system}_params_{precision} p = {{0}};"]
     shapes = dict(SYSTEMS[system]["parameters"])
     for k, field in enumerate(facts["reads"], len(facts["inputs"])):
-        lines += _copied("p", field, shapes[field], f"in[{k}] + (i * step[{k}])")
+        where = f"in[{k}] + (i * step[{k}])" if batch else f"in[{k}]"
+        lines += _copied("p", field, shapes[field], where)
     return lines
 
 

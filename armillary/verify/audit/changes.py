@@ -12,6 +12,7 @@ from armillary.algebra import vector as v
 from armillary.algebra.derivative import Differentiator, partial_seed
 from armillary.algebra.indexed import At, Total, at, indices
 from armillary.algebra.rotation import Composed, Elementary, Rotation, RotationReference, factors
+from armillary.derivation.units import RADIAN
 from armillary.verify.audit.plain import plain
 from armillary.verify.audit.pool import Pool, is_name
 from armillary.verify.audit.terms import (
@@ -180,20 +181,36 @@ class Changes:
 
     @inside.register
     def _(self, node: s.SquareRoot) -> Iterator[Change]:
-        yield _change("function", "the root left out", node.argument)
-        yield from _carried(self.inside(node.argument), s.SquareRoot)
+        inner = node.argument
+        yield _change("function", "the root left out", inner)
+        if isinstance(inner, s.Dot) and isinstance(inner.left, v.Cross):
+            cross = inner.left
+            if inner.right is cross:
+                words = f"the dot product for the cross product of {_both(cross)}"
+                yield _change("function", words, v.dot(cross.left, cross.right))
+        yield from _carried(self.inside(inner), s.SquareRoot)
 
     @inside.register
     def _(self, node: s.Sine) -> Iterator[Change]:
         inner = node.argument
         yield _change("function", f"cos for sin of {plain(inner)}", s.Cosine(inner))
+        for other in self._angles_beside(inner):
+            words = f"cos of {plain(other)} for sin of {plain(inner)}"
+            yield Change("function", words, FAR, s.Cosine(other))
         yield from _carried(self.inside(inner), s.Sine)
 
     @inside.register
     def _(self, node: s.Cosine) -> Iterator[Change]:
         inner = node.argument
         yield _change("function", f"sin for cos of {plain(inner)}", s.Sine(inner))
+        for other in self._angles_beside(inner):
+            words = f"sin of {plain(other)} for cos of {plain(inner)}"
+            yield Change("function", words, FAR, s.Sine(other))
         yield from _carried(self.inside(inner), s.Cosine)
+
+    def _angles_beside(self, inner: s.Scalar) -> list[s.Scalar]:
+        """The angles that were met, but for one: a slip of the eye takes one term's for another."""
+        return [a for a in self.pool.met if a is not inner and self.pool.unit(a) == RADIAN]
 
     @inside.register
     def _(self, node: s.ArcTangent) -> Iterator[Change]:
@@ -348,6 +365,10 @@ class Changes:
         further = Elementary(part.axis, s.add(part.angle, s.PI))
         yield _change("half turn", f"{plain(part)} turning half a turn further", further)
         yield from _carried(self.inside(part.angle), lambda new: Elementary(part.axis, new))
+
+
+def _both(cross: v.Cross) -> str:
+    return f"{plain(cross.left)} and {plain(cross.right)}"
 
 
 def _sign(negative: bool) -> str:

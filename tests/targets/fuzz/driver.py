@@ -7,6 +7,7 @@ import numpy as np
 
 from armillary.derivation.quantity import Kind
 from armillary.targets.c_function import must_not_overlap
+from armillary.verify.points import random_points
 from tests.targets.conftest import Printed
 
 HARNESS = Path(__file__).parent
@@ -16,6 +17,7 @@ _REAL = {
 }
 GUARDS = (-1, -2)
 MOST = 250
+FITTING = 200
 
 
 def driver_source(printed: Printed, precision: str, kernels: list[tuple[str, str]]) -> str:
@@ -36,6 +38,11 @@ def driver_source(printed: Printed, precision: str, kernels: list[tuple[str, str
         written, row = _kernel(printed, system, name, facts, precision)
         lines += written
         rows.append(row)
+        if (system, name) in printed.stages:
+            lines.append(f'#include "{system}_{name}_step_{precision}.c"')
+            written, row = stages_row(printed, system, name, facts, precision)
+            lines += written
+            rows.append(row)
     lines += ["static const struct kernel KERNELS[] = {", *rows, "};"]
     lines += [
         "int main(int argc, char **argv)",
@@ -82,7 +89,6 @@ def _kernel(printed, system, name, facts, precision):
         setting = [f"  {struct} p;", "  memset(&p, 0xFF, sizeof p);", *setting]
         arguments.insert(0, "&p")
     assert max(place, outputs) < MOST, f"{symbol} is larger than the harness's arrays"
-    table = [_quantity(known[q], prod(shape), dtype) for q, shape in read]
     lines = [
         f"static int call_{symbol}(const {real} *in, {real} *out)",
         "{",
@@ -93,13 +99,111 @@ def _kernel(printed, system, name, facts, precision):
         "  return status;",
         "}",
     ]
+    table = [_quantity(known[q], prod(shape), dtype) for q, shape in read]
+    fitting = _fitting(record, read, dtype)
+    return _with_row(lines, symbol, table, place, outputs, program, fitting)
+
+
+def _fitting(kernel, read, dtype):
+    """Inputs that fit together, a row of C a point, where the kernel says what they are."""
+    if not kernel.drawn:
+        return []
+    points = random_points(kernel, FITTING, seed=9)
+    rows = np.concatenate([points[q].reshape(FITTING, -1) for q, _ in read], axis=1)
+    return ["  " + ", ".join(f"(REAL){float(x).hex()}" for x in row) + ","
+            for row in rows.astype(dtype)]  # fmt: skip
+
+
+def _with_row(lines, symbol, table, place, outputs, program, fitting):
+    """Lines with the tables of a function's quantities and of inputs that fit, and its row."""
     if table:
-        lines += [f"static const struct quantity of_{symbol}[] = {{", *table, "};"]
-    allowed = _allowed(record, guarded=bool(read))
+        lines = [*lines, f"static const struct quantity of_{symbol}[] = {{", *table, "};"]
+    if fitting:
+        lines = [*lines, f"static const REAL drawn_{symbol}[] = {{", *fitting, "};"]
+    drawn = f"drawn_{symbol}" if fitting else "NULL"
+    allowed = _allowed(program.kernel, guarded=bool(table))
     of = f"of_{symbol}" if table else "NULL"
     apart = int(must_not_overlap(program))
     row = f'  {{"{symbol}", {of}, {len(table)}, {place}, {outputs}, {apart}, '
-    return lines, f"{row}{allowed}u, call_{symbol}}},"
+    return lines, f"{row}{allowed}u, call_{symbol}, {drawn}, {len(fitting)}}},"
+
+
+def stages_row(printed, system, name, facts, precision):
+    """A set-up and a step, called as one function that refuses what either refuses.
+
+    Where the set-up refuses, the step answers from the context of a legal mount, into nothing: of
+    what it says only its refusal counts. A context that was touched answers 99.
+    """
+    real, dtype = _REAL[precision][0], _REAL[precision][4]
+    program, kernel = printed.compiled[system, name].program, facts["kernels"][name]
+    record, shapes = program.kernel, dict(facts["parameters"])
+    known = {q.name: q for q in (*record.inputs, *record.parameters)}
+    read = [*kernel["inputs"], *((q, shapes[q]) for q in kernel["reads"])]
+    places, place = {}, 0
+    for q, shape in read:
+        places[q], place = (place, shape), place + prod(shape)
+    outputs = sum(prod(shape) for _, shape in kernel["results"])
+    whole = f"{printed.target.c_prefix}{system}_{name}"
+    symbol, context = f"{whole}_step_{precision}", f"{whole}_ctx_{precision}"
+    struct = f"{printed.target.c_prefix}{system}_params_{precision}" if shapes else ""
+    setup, step = kernel["stages"]["setup"], kernel["stages"]["step"]
+    legal = ", ".join(_legal(known[q], prod(shape)) for q, shape in read) or "0"
+    lines = [
+        *_stage(f"{whole}_setup_{precision}", setup, struct, places, real, f"{context} *ctx"),
+        *_stage(symbol, step, struct, places, real, f"const {context} *ctx", kernel["results"]),
+        f"static int call_{symbol}(const {real} *in, {real} *out)",
+        "{",
+        f"  static const {real} legal[] = {{{legal}}};",
+        f"  {context} ctx, before;",
+        "  memset(&ctx, 0xFF, sizeof ctx);",
+        "  memcpy(&before, &ctx, sizeof ctx);",
+        f"  const int first = run_{whole}_setup_{precision}(in, &ctx, NULL);",
+        f"  if (first >= 0) {{ return run_{symbol}(in, &ctx, out); }}",
+        "  if (memcmp(&before, &ctx, sizeof ctx) != 0) { return 99; }",
+        f"  if (run_{whole}_setup_{precision}(legal, &ctx, NULL) != 0) {{ return 98; }}",
+        f"  {real} nowhere[{max(outputs, 1)}];",
+        f"  const int second = run_{symbol}(in, &ctx, nowhere);",
+        "  return (second == -1 || second == -2) && second < first ? second : first;",
+        "}",
+    ]
+    table = [_quantity(known[q], prod(shape), dtype) for q, shape in read]
+    apart = printed.stages[system, name].step
+    fitting = _fitting(record, read, dtype)
+    lines, row = _with_row(lines, symbol, table, place, outputs, program, fitting)
+    assert must_not_overlap(apart) <= must_not_overlap(program)
+    return lines, row
+
+
+def _stage(symbol, facts, struct, places, real, context, results=()):
+    """A function that takes a stage's arguments from where the whole kernel has them."""
+    arguments = [
+        f"in + {p}" if s else f"in[{p}]" for p, s in (places[q] for q, _ in facts["inputs"])
+    ]
+    made, place = ["  (void)in; (void)out;"], 0
+    is_setup = not context.startswith("const")
+    if struct and (is_setup or facts["reads"]):
+        made += [f"  {struct} p;", "  memset(&p, 0xFF, sizeof p);"]
+        for q in facts["reads"]:
+            at, shape = places[q]
+            made.append(f"  memcpy(&p.{q}, in + {at}, {prod(shape)} * sizeof *in);")
+    for _, shape in results:
+        arguments.append(f"out + {place}")
+        place += prod(shape)
+    arguments = [*arguments, "ctx"] if is_setup else ["ctx", *arguments]
+    if len(made) > 1:
+        arguments.insert(0, "&p")
+    head = f"static int run_{symbol}(const {real} *in, {context}, {real} *out)"
+    return [head, "{", *made, f"  return {symbol}({', '.join(arguments)});", "}"]
+
+
+def _legal(quantity, size):
+    """A value that is accepted."""
+    if quantity.facts.kind is Kind.UNIT_VECTOR:
+        return "(REAL)0.48, (REAL)0.6, (REAL)0.64"
+    if quantity.facts.kind is Kind.ROTATION:
+        return "1, 0, 0, 0, 1, 0, 0, 0, 1"
+    low, high = map(float, quantity.facts.range)
+    return ", ".join([f"(REAL){(low + (high - low) / 2).hex()}"] * size)
 
 
 def _kept(answer):

@@ -27,6 +27,8 @@ struct kernel {
   int apart;        /* inputs and outputs must not overlap */
   unsigned allowed; /* bit status + 8 */
   int (*call)(const REAL *in, REAL *out);
+  const REAL *drawn; /* rows of inputs that fit together, where ranges alone will not do */
+  int rows;
 };
 
 static uint64_t state;
@@ -205,13 +207,19 @@ static void fill(const struct quantity *q, REAL *x, int way) {
 
 static void sample(const struct kernel *k, REAL *in) {
   const int way = below(16), chosen = k->count ? below(k->count) : 0;
+  if (k->rows) {
+    memcpy(in, k->drawn + ((size_t)below(k->rows) * (size_t)k->inputs),
+           (size_t)k->inputs * sizeof *in);
+  }
   for (int i = 0; i < k->count; i++) {
     const int one = way < 8    ? WORKING
                     : way < 10 ? LEGAL
                     : way < 14 ? (i == chosen ? SPECIAL : WORKING)
                     : way < 15 ? below(4)
                                : WILD;
-    fill(&k->quantities[i], in, one);
+    if (one != WORKING || !k->rows) {
+      fill(&k->quantities[i], in, one);
+    }
     in += k->quantities[i].size;
   }
 }

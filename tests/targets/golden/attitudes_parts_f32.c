@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_ATTITUDES_ABI) || (ARMILLARY_ATTITUDES_ABI != 0xb2d941aaUL)
+#if !defined(ARMILLARY_ATTITUDES_ABI) || (ARMILLARY_ATTITUDES_ABI != 0x61f735b7UL)
 #error "attitudes.h is of another version than this file: copy both from one release"
 #endif
 

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_ITERATIONS_ABI) || (ARMILLARY_ITERATIONS_ABI != 0x2c5545c8UL)
+#if !defined(ARMILLARY_ITERATIONS_ABI) || (ARMILLARY_ITERATIONS_ABI != 0xabce8973UL)
 #error "iterations.h is of another version than this file: copy both from one release"
 #endif
 

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_LOOPS_ABI) || (ARMILLARY_LOOPS_ABI != 0x440ffaeaUL)
+#if !defined(ARMILLARY_LOOPS_ABI) || (ARMILLARY_LOOPS_ABI != 0x8a96921aUL)
 #error "loops.h is of another version than this file: copy both from one release"
 #endif
 

@@ -61,9 +61,31 @@ def test_all_changes_of_a_small_sum(d):
         ("factor", "the factor 2 left out", "sin(a) - cos(b)"),
         ("factor", "the factor cos(b) left out", "sin(a) - 2"),
         ("factor", "the square of cos(b)", "sin(a) - 2 cos(b) cos(b)"),
+        ("function", "cos of b for sin of a", "cos(b) - 2 cos(b)"),
         ("index", "b for a", "sin(b) - 2 cos(b)"),
+        ("function", "sin of a for cos of b", "sin(a) - 2 sin(a)"),
         ("index", "a for b", "sin(a) - 2 cos(a)"),
     ]
+
+
+def test_a_function_of_another_angle_is_far_fetched(d):
+    """A sine is taken for another's cosine only where nothing nearer will do."""
+    a, b, L = d.angle("a", "x"), d.angle("b", "x"), d.length("L", "x")
+    changes = Changes(Pool(L * cos(a), (b,)))
+    ranks = {c.words: c.rank for c in changes.whole(L * cos(a)) if c.kind == "function"}
+    assert ranks == {"sin for cos of a": 1, "sin of b for cos of a": 8}
+
+
+def test_a_cross_for_a_dot(d):
+    u, w = d.unit_vector("u", "x"), d.unit_vector("w", "x")
+    ((words, node),) = [
+        (c.words, c.node) for c in Changes(Pool(u, (w,))).whole(u.cross(w).norm())
+        if "product" in c.words
+    ]  # fmt: skip
+    assert words == "the dot product for the cross product of u and w"
+    assert (node.left, node.right) == (u, w)
+    of_sum = Changes(Pool(u, (w,))).whole((u + w).norm())
+    assert not [c for c in of_sum if "product" in c.words]
 
 
 def test_what_may_have_been_lost(d):

@@ -21,7 +21,7 @@ from armillary.algebra import vector as v
 from armillary.algebra.explicit import Explicit
 from armillary.algebra.rigid import Matrix, Pose
 from armillary.algebra.rotation import Composed, Rotation, factors
-from armillary.derivation.entries import rows_of
+from armillary.derivation.entries import rows_of, shape_of
 from armillary.derivation.errors import Source
 from armillary.derivation.load import load_all, shared
 from armillary.derivation.paper import Equation, Paper, Reading
@@ -130,7 +130,7 @@ def _slips(equation: Equation) -> list[Slip]:
     printed = equation.readings[0].printed
     made = []
     if equation.product is not None:
-        made += _exchanges(equation.product, isinstance(printed, Pose))
+        made += _exchanges(equation.product, printed)
     if isinstance(printed, Composed):
         made += _turned_exchanges(printed)
     if isinstance(printed, (s.Scalar, v.Components, Matrix)):
@@ -150,18 +150,22 @@ def _turned_exchanges(product: Composed) -> list[Slip]:
     return made
 
 
-def _exchanges(chain: Chain, as_product: bool) -> list[Slip]:
+def _exchanges(chain: Chain, printed: Block) -> list[Slip]:
     """Two neighbouring factors exchanged: in the product, or in the matrix worked out from it."""
+    as_product, turned = isinstance(printed, Pose), shape_of(printed) == (3, 3)
     made = []
     for k in range(len(chain.steps) - 1):
         steps = list(chain.steps)
         steps[k], steps[k + 1] = steps[k + 1], steps[k]
         moved = Chain("a", tuple(steps), {"b": len(steps)})
         pose = moved.pose("a", "b")
-        printed = pose if as_product else printed_out(pose)
         words = f"factors {k + 1}, {k + 2}"
-        product = moved if as_product else None
-        made.append(Slip("order of factors", words, printed, (0, 0), product))
+        if as_product:
+            made.append(Slip("order of factors", words, pose, (0, 0), moved))
+            continue
+        with suppress(TooLong):
+            wrong = printed_out(pose.rotation if turned else pose)
+            made.append(Slip("order of factors", words, wrong, (0, 0)))
     return made
 
 

@@ -1,0 +1,226 @@
+"""A program in two: a set-up that runs once a mount, and the step that it hands its values to.
+
+Only what a step reads is handed over, a number or an array over one index; the field of each is
+named like what it holds. A case or a result that is known beforehand is still told by the step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field, replace
+
+from armillary.algebra.vector import AXIS_NAMES
+from armillary.derivation.quantity import AnyQuantity
+from armillary.derivation.statements import Kernel
+from armillary.program.program import (
+    CONDITION_OPS,
+    Field,
+    Instruction,
+    Op,
+    Program,
+    Result,
+    domains,
+    input_name,
+)
+from armillary.program.rates import in_step, mounted
+
+# What costs nothing where it is written: a step has its own.
+_WRITTEN = frozenset({Op.CONSTANT, Op.TABLE})
+
+
+@dataclass(frozen=True)
+class Stages:
+    """The two programs; the results of the set-up are the fields that the step reads."""
+
+    setup: Program
+    step: Program
+
+    @property
+    def fields(self) -> tuple[Field, ...]:
+        """What the set-up hands over, in order."""
+        return self.step.fields
+
+
+def has_stages(kernel: Kernel, read: Collection[str]) -> bool:
+    """Whether a kernel reads quantities of the mount, and others; a controller is not divided."""
+    asked = {q.name for q in kernel.inputs} | set(read)
+    held = mounted(kernel) & set(read)
+    return bool(held and asked - mounted(kernel) and not kernel.stateful)
+
+
+def divided(program: Program) -> Stages:
+    """The set-up and the step of a program that is told some quantities beforehand."""
+    return _Division(program).run()
+
+
+@dataclass
+class _Division:
+    """The walk that copies what runs in a step."""
+
+    program: Program
+    steps: list[Instruction] = field(default_factory=list)
+    new: dict[int, int] = field(default_factory=dict)
+    fields: dict[int, Field] = field(default_factory=dict)
+
+    def run(self) -> Stages:
+        program, inside = self.program, in_step(self.program)
+        phis = [n for n in program.carried if n in inside]
+        for number in sorted(inside):
+            i = program.instructions[number]
+            self.add(number, replace(i, args=tuple(self.of(a) for a in i.args)))
+        results = tuple(
+            replace(r, entries=tuple(self.of(e) for e in r.entries)) for r in program.results
+        )
+        cases = tuple((status, self.of(c)) for status, c in program.cases)
+        step = Program(
+            _step_kernel(program),
+            tuple(self.steps),
+            results,
+            cases,
+            {self.new[n]: ls for n, ls in program.labels.items() if n in inside},
+            {self.new[n]: self.new[program.carried[n]] for n in phis},
+            {self.new[n]: program.phi_domains[n] for n in phis},
+            fields=tuple(self.fields.values()),
+        )
+        return Stages(self.setup(), step)
+
+    def add(self, number: int, instruction: Instruction) -> int:
+        self.steps.append(instruction)
+        self.new[number] = len(self.steps) - 1
+        return self.new[number]
+
+    def of(self, number: int) -> int:
+        """A value in the step: computed there, written there, or handed over."""
+        if number in self.new:
+            return self.new[number]
+        i = self.program.instructions[number]
+        if i.op in _WRITTEN:
+            return self.add(number, i)
+        if i.op is Op.NEGATE:
+            return self.add(number, replace(i, args=(self.of(i.args[0]),)))
+        made = self.made(number)
+        self.fields[number] = made
+        data = made.name if made.index is None else (made.name, made.index, 1, 0)
+        return self.add(number, Instruction(Op.INPUT, (), data))
+
+    def made(self, number: int) -> Field:
+        """The field that a value is handed over in."""
+        program, i = self.program, self.program.instructions[number]
+        taken = _names(program) | {f.name for f in self.fields.values()}
+        label = program.labels.get(number, ())
+        index = next(iter(domains(program)[number]), None)
+        while i.op is Op.ELEMENT:
+            i = program.instructions[i.args[0]]
+        return Field(
+            _free(_wanted(program, number), taken),
+            index,
+            i.op in CONDITION_OPS,
+            tuple(one.identifier for one in label),
+        )
+
+    def setup(self) -> Program:
+        """What the fields need, with a result for each."""
+        program, needed = self.program, _needed(self.program, self.fields)
+        kept = sorted(needed)
+        new = {old: k for k, old in enumerate(kept)}
+        instructions = (program.instructions[old] for old in kept)
+        phis = [n for n in program.carried if n in new]
+        return Program(
+            _setup_kernel(program),
+            tuple(replace(i, args=tuple(new[a] for a in i.args)) for i in instructions),
+            tuple(_result(made, new[number]) for number, made in self.fields.items()),
+            (),
+            {new[n]: ls for n, ls in program.labels.items() if n in new},
+            {new[n]: new[program.carried[n]] for n in phis},
+            {new[n]: program.phi_domains[n] for n in phis},
+        )
+
+
+def _needed(program: Program, fields: Mapping[int, Field]) -> set[int]:
+    stack, needed = list(fields), set[int]()
+    while stack:
+        number = stack.pop()
+        if number not in needed:
+            needed.add(number)
+            stack.extend(program.instructions[number].args)
+            if number in program.carried:
+                stack.append(program.carried[number])
+    return needed
+
+
+def _result(made: Field, number: int) -> Result:
+    indices = () if made.index is None else (made.index,)
+    return Result(made.name, tuple(i.size for i in indices), (number,), indices)
+
+
+def _setup_kernel(program: Program) -> Kernel:
+    kernel = program.kernel
+    return replace(
+        kernel,
+        name=f"{kernel.name}_setup",
+        inputs=_held(kernel.inputs, program.beforehand),
+        outputs=(),
+        cases=(),
+        stage="setup",
+        whole=kernel.name,
+    )
+
+
+def _step_kernel(program: Program) -> Kernel:
+    kernel, used = program.kernel, program.inputs_used()
+    moving = [q for q in kernel.parameters if q.name in used]
+    return replace(
+        kernel,
+        name=f"{kernel.name}_step",
+        inputs=tuple(q for q in kernel.inputs if q.name not in program.beforehand),
+        parameters=tuple(q for q in moving if q.name not in program.beforehand),
+        stage="step",
+        whole=kernel.name,
+    )
+
+
+def _held(quantities: tuple[AnyQuantity, ...], names: frozenset[str]) -> tuple[AnyQuantity, ...]:
+    return tuple(q for q in quantities if q.name in names)
+
+
+def _names(program: Program) -> set[str]:
+    """What a field may not be called, so that nothing in a step has its name."""
+    kernel, told = program.kernel, program.beforehand
+    moving = [q for q in (*kernel.inputs, *kernel.parameters) if q.name not in told]
+    names = {n for q in moving for n in (q.name, *q.parts)}
+    return names | {n for o in kernel.outputs for n in (o.name, kernel.result_argument(o.name))}
+
+
+def _wanted(program: Program, number: int) -> str:
+    """The definition's name, the quantity's, that of the angle it is the sine of; m1, m2, ..."""
+    i, label = program.instructions[number], program.labels.get(number)
+    if label:
+        return label[0].names[0]
+    if i.op is Op.INPUT:
+        return _read(program.kernel, i)
+    if i.op in (Op.SIN, Op.COS) and program.instructions[i.args[0]].op is Op.INPUT:
+        return f"{i.op.value}_{_read(program.kernel, program.instructions[i.args[0]])}"
+    return ""
+
+
+def _read(kernel: Kernel, i: Instruction) -> str:
+    """The name of what an INPUT reads: a quantity, or a part of one."""
+    name, data = input_name(i), i.data
+    if not isinstance(data, tuple):
+        return name
+    if len(data) == 2:
+        quantity = next(q for q in (*kernel.inputs, *kernel.parameters) if q.name == name)
+        assert isinstance(data[1], int)
+        return quantity.parts[data[1]]
+    _, _, stride, offset = data
+    return name if stride == 1 else f"{name}_{AXIS_NAMES[int(offset)]}"
+
+
+def _free(wanted: str, taken: set[str]) -> str:
+    """The name wanted, or one like it that nothing has."""
+    if wanted and wanted not in taken:
+        return wanted
+    stem, k = f"{wanted}_m" if wanted else "m", 1
+    while f"{stem}{k}" in taken:
+        k += 1
+    return f"{stem}{k}"
