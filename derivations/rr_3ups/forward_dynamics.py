@@ -1,0 +1,105 @@
+"""Mass matrix, bias, and what the platform does under given forces."""
+
+from armillary import (
+    Matrix,
+    determinant,
+    number,
+    one_like,
+    partial,
+    solved,
+    substitute,
+    total,
+    where,
+)
+
+from .dynamics import tau_alpha, tau_beta
+from .energy import F_leg
+from .legs import J_alpha, J_beta
+from .symbols import alpha_ddot, beta_ddot, d, leg
+
+_HELD = {alpha_ddot: number(0), beta_ddot: number(0)}
+
+
+def entry(of, by, letters, latex):
+    """An entry of the mass matrix."""
+    return d.define(
+        f"M_{letters}",
+        partial(of, by),
+        because="The generalised force is linear in the accelerations; these are its slopes.",
+        meaning=f"entry of the mass matrix: {of.name[4:]} per unit of {by.name}",
+        latex=f"M_{{{latex}}}",
+    )
+
+
+M_aa = entry(tau_alpha, alpha_ddot, "aa", r"\alpha\alpha")
+M_ab = entry(tau_alpha, beta_ddot, "ab", r"\alpha\beta")
+M_bb = entry(tau_beta, beta_ddot, "bb", r"\beta\beta")
+mass_matrix = d.define(
+    "mass_matrix",
+    Matrix(((M_aa, M_ab), (M_ab, M_bb))),
+    because="It is symmetric: kinetic energy is a quadratic form of the rates.",
+    meaning="mass matrix of alpha and beta, legs included",
+    latex="H",
+)
+
+
+def held(of, letter):
+    """The generalised force at no acceleration."""
+    return d.define(
+        f"bias_{letter}",
+        substitute(of, _HELD),
+        because="What is asked for when nothing accelerates.",
+        meaning=f"generalised force of {letter} at no acceleration: weight, disturbance and "
+        "centrifugal terms",
+        latex=rf"\tau_{{0\{letter}}}",
+    )
+
+
+bias_alpha, bias_beta = held(tau_alpha, "alpha"), held(tau_beta, "beta")
+bias = d.define(
+    "bias",
+    Matrix(((bias_alpha, bias_beta),)),
+    because="One for each angle.",
+    meaning="generalised force at no acceleration",
+    latex=r"\boldsymbol{\tau}_0",
+)
+
+
+def left_over(entries, of, letter):
+    """What accelerates an angle."""
+    return d.define(
+        f"excess_{letter}",
+        total(entries * F_leg, over=leg) - of,
+        because="What the drives give beyond that accelerates.",
+        meaning=f"generalised force that accelerates {letter}",
+        latex=rf"\Delta\tau_\{letter}",
+    )
+
+
+excess_alpha = left_over(J_alpha, bias_alpha, "alpha")
+excess_beta = left_over(J_beta, bias_beta, "beta")
+_rows = ((M_aa, M_ab), (M_ab, M_bb))
+det_M = d.define(
+    "det_M",
+    determinant(_rows),
+    because="Positive unless nothing has a mass.",
+    meaning="determinant of the mass matrix",
+    latex=r"\det H",
+)
+massless = d.define(
+    "massless",
+    ~(det_M > number("1e-9") * (M_aa * M_bb)),
+    because="An angle that nothing weighs takes any acceleration.",
+    meaning="whether some motion of the two angles moves no mass",
+)
+_solved = solved(_rows, (excess_alpha, excess_beta), where(massless, one_like(det_M), det_M))
+alpha_found, beta_found = (
+    d.define(
+        f"{letter}_ddot_found",
+        where(massless, 0 * value, value),
+        because="Two equations for two accelerations.",
+        meaning=f"acceleration of {letter} under the forces given",
+        latex=rf"\ddot{{\{letter}}}",
+    )
+    for letter, value in zip(("alpha", "beta"), _solved, strict=True)
+)

@@ -1,0 +1,241 @@
+"""The legs in the world: their frames, how they turn, and how their links move."""
+
+from armillary import (
+    Axes,
+    Matrix,
+    X,
+    Y,
+    Z,
+    atan2,
+    elementary,
+    hypot,
+    partial,
+    time_derivative,
+    where,
+)
+
+from .dynamics import a_S, a_T, omega_dot_free, omega_free
+from .legs import J_alpha, J_beta, a, l_W, length, q, q_dot
+from .legs_in_motion import (
+    along_axis,
+    omega,
+    omega_dot,
+    u,
+    v,
+    x_leg,
+    y_leg,
+    z_leg,
+)
+from .symbols import alpha, beta, d, leg_tolerance, s, t, zeta
+
+w = d.define(
+    "w",
+    elementary(Z, alpha) @ y_leg,
+    because="The leg's y axis in the world.",
+    meaning="unit vector along leg i, from the ground up, world axes",
+    printed="5",
+    latex=r"\mathbf{w}",
+)
+
+# ---- the angles of a universal joint ----
+
+mounted = d.define(
+    "mounted",
+    elementary(Y, -zeta) @ l_W,
+    because="Seen from the joint as it is mounted: the first axis is z, the second x while both "
+    "angles are 0.",
+    meaning="leg i, axes of its universal joint's base",
+    latex=r"\mathbf{l}_\zeta",
+)
+gamma = d.define(
+    "gamma",
+    atan2(-mounted.x, where(along_axis, leg_tolerance, mounted.y)),
+    because="The first turn takes y to the azimuth of the leg.",
+    meaning="angle of leg i about the first axis of its universal joint, in [-pi, pi]",
+    latex=r"\gamma",
+)
+psi = d.define(
+    "psi",
+    atan2(mounted.z, where(along_axis, leg_tolerance, hypot(mounted.x, mounted.y))),
+    because="The second turn lifts it.",
+    meaning="angle of leg i about the second axis of its universal joint, in [-pi/2, pi/2]",
+    latex=r"\psi",
+)
+leg_frame = d.define(
+    "leg_frame",
+    elementary(Y, zeta) @ elementary(Z, gamma) @ elementary(X, psi),
+    because="Mounting, first axis, second axis.",
+    meaning="rotation of leg i: its axes in the world's; y is along the leg",
+    printed="2",
+    latex="R",
+)
+_axes = Axes(x_leg, y_leg, z_leg)
+
+
+def to_world(vector_):
+    """A vector in leg axes, in the world's."""
+    return elementary(Z, alpha) @ (_axes @ vector_)
+
+
+for _k, _axis in ((X, x_leg), (Y, y_leg), (Z, z_leg)):
+    d.identity(
+        f"the leg's axes are those of its joint's two turns: {'xyz'[_k]}",
+        elementary(Z, alpha) @ _axis,
+        leg_frame.column(_k),
+    )
+
+# ---- the spherical joint ----
+
+a_dot = d.define(
+    "a_dot",
+    time_derivative(a),
+    because="o stands still, so this is the velocity of the joint.",
+    meaning="velocity of spherical joint i, world axes",
+    latex=r"\dot{\mathbf{a}}",
+)
+_columns = tuple(partial(a, angle) for angle in (alpha, beta))
+
+
+def beside(columns):
+    """Two vectors as a matrix."""
+    first, second = columns
+    return Matrix(
+        ((first.x, second.x), (first.y, second.y), (first.z, second.z))
+    )  # fmt: skip
+
+
+J_a = d.define(
+    "J_a",
+    beside(_columns),
+    because="Column by column, one angle moves.",
+    meaning="Jacobian from the rates of alpha and beta to the velocity of spherical joint i, world",
+    printed="6",
+    latex="J_a",
+)
+d.identity("seen along the leg's axes it is the same", to_world(v), a_dot)
+
+# ---- turning ----
+
+w_dot = d.define(
+    "w_dot",
+    to_world(u),
+    because="What does not lengthen the leg turns it.",
+    meaning="rate of the direction of leg i, world axes",
+    latex=r"\dot{\mathbf{w}}",
+)
+d.identity("q w changes as its two parts do", a_dot, q_dot * w + length * w_dot)
+omega_free_W = d.define(
+    "omega_free_W",
+    w.cross(a_dot) / length,
+    because="Square to the leg: this turns the direction and spins nothing.",
+    meaning="angular velocity of leg i if it does not spin, world axes",
+    printed="10",
+    latex=r"\boldsymbol{\omega}_\mathrm{free}",
+)
+J_omega_free = d.define(
+    "J_omega_free",
+    beside(tuple(w.cross(column) / length for column in _columns)),
+    because="Column by column.",
+    meaning="Jacobian from the rates of alpha and beta to that angular velocity, world axes",
+    latex=r"J_{\omega}",
+)
+omega_W = d.define(
+    "omega_W",
+    to_world(omega),
+    because="With the spin of the universal joint.",
+    meaning="angular velocity of leg i, world axes",
+    latex=r"\boldsymbol{\omega}_W",
+)
+d.identity("without spin it is the paper's", to_world(omega_free), omega_free_W)
+omega_dot_W = d.define(
+    "omega_dot_W",
+    to_world(omega_dot),
+    because="A vector of the world.",
+    meaning="angular acceleration of leg i, world axes",
+    latex=r"\dot{\boldsymbol{\omega}}_W",
+)
+omega_free_dot_W = d.define(
+    "omega_free_dot_W",
+    to_world(omega_dot_free),
+    because="A vector of the world.",
+    meaning="angular acceleration of leg i if it does not spin, world axes",
+    latex=r"\dot{\boldsymbol{\omega}}_\mathrm{free}",
+)
+
+# ---- centres of mass ----
+
+T_W = d.define(
+    "T_W",
+    t * w,
+    because="On the leg, at a distance that stays.",
+    meaning="from universal joint i to the first link's centre of mass, world axes",
+    printed="11",
+    latex=r"\mathbf{t}",
+)
+S_W = d.define(
+    "S_W",
+    (q - s) * w,
+    because="At a distance from the other end that stays.",
+    meaning="from universal joint i to the second link's centre of mass, world axes",
+    printed="13",
+    latex=r"\mathbf{s}",
+)
+v_t = d.define(
+    "v_t",
+    t * w_dot,
+    because="It turns with the leg.",
+    meaning="velocity of the first link's centre of mass, world axes",
+    printed="12",
+    latex=r"\mathbf{v}_t",
+)
+v_s = d.define(
+    "v_s",
+    q_dot * w + (length - s) * w_dot,
+    because="It slides, and turns with the leg.",
+    meaning="velocity of the second link's centre of mass, world axes",
+    printed="14",
+    latex=r"\mathbf{v}_s",
+)
+d.identity("the second link's centre moves with the spherical joint", v_s, a_dot - s * w_dot)
+a_t = d.define(
+    "a_t",
+    to_world(a_T),
+    because="The same in the world.",
+    meaning="acceleration of the first link's centre of mass, world axes",
+    latex=r"\mathbf{a}_t",
+)
+a_s = d.define(
+    "a_s",
+    to_world(a_S),
+    because="The same in the world.",
+    meaning="acceleration of the second link's centre of mass, world axes",
+    latex=r"\mathbf{a}_s",
+)
+
+
+def turned_about(column):
+    """How the direction turns per unit of an angle."""
+    return (w.cross(column) / length).cross(w)
+
+
+J_tv = d.define(
+    "J_tv",
+    beside(tuple(t * turned_about(column) for column in _columns)),
+    because="Column by column.",
+    meaning="Jacobian from the rates of alpha and beta to the velocity of the first link's centre "
+    "of mass, world axes",
+    latex="J_{tv}",
+)
+J_sv = d.define(
+    "J_sv",
+    beside(
+        tuple(
+            entry * w + (length - s) * turned_about(column)
+            for entry, column in zip((J_alpha, J_beta), _columns, strict=True)
+        )
+    ),
+    because="Column by column.",
+    meaning="Jacobian from the rates of alpha and beta to the velocity of the second link's centre "
+    "of mass, world axes",
+    latex="J_{sv}",
+)

@@ -1,0 +1,112 @@
+"""Some mass centres beside each other: forces, heat and mechanical power of both mechanisms."""
+
+from armillary.verify.plots import Curve, Plot
+from armillary.verify.study import Column, Table
+
+from .study_power import constant
+
+MM = 1e3
+MILLI = 1e3
+KILO = 1e-3
+NAMES = ("largest", "mean, leg 1", "mean, leg 2", "mean, leg 3")
+
+
+def forces(found, places, published):
+    """The forces."""
+    rows = [
+        (name, MM * y, MM * z, *found.figures((0.0, y, z)), *two_drives(found, (y, z)))
+        for name, (y, z) in places.items()
+    ]
+    theirs = published.peak_force, *published.mean_forces
+    rows.append(
+        ("the paper", None, None, *theirs, published.peak_force, *published.mean_forces_two)
+    )
+    return Table(
+        "Forces on the equinox for some mass centres, beside the paper's; no value where they grow "
+        "without bound.",
+        [
+            "mass centre", Column("y", "mm", ".1f"), Column("z", "mm", ".1f"),
+            *(Column(f"three drives: {name}", "N", ".1f") for name in NAMES),
+            *(Column(f"two drives: {name}", "N", ".1f") for name in NAMES[:3]),
+        ],
+        rows,
+    )  # fmt: skip
+
+
+def at_its_best(found, centre):
+    """Forces of both mechanisms for a mass centre without poles."""
+    F, F_2 = found.three.at(centre), found.two.at(centre)
+    return Plot(
+        "Forces on the equinox with the mass centre above o that gives both mechanisms the paper's "
+        "peak and two drives no pole; leg 2 mirrors leg 1.",
+        "solar time, h", "force, N",
+        [
+            Curve("leg 1, three drives", found.clock, F[:, 0]),
+            Curve("leg 3, three drives", found.clock, F[:, 2]),
+            Curve("leg 1, two drives", found.clock, F_2[:, 0]),
+        ],
+    )  # fmt: skip
+
+
+def two_drives(found, place):
+    """Largest and mean forces of two drives, where they have them."""
+    if not has_no_pole(found, place):
+        return None, None, None
+    return tuple(found.figures_two((0.0, *place)))
+
+
+def has_no_pole(found, place):
+    """Whether nothing is asked along the motions that are not held."""
+    return max((abs(of.at((0.0, *place))) for of in found.loose), default=0.0) < 1e-6
+
+
+def energies(found, places, parameters):
+    """Heat of the day, and its ratio."""
+    k, published, rows = constant(parameters), parameters.published, []
+    for name, place in places.items():
+        one, other = found.squares((0.0, *place))
+        other = other if has_no_pole(found, place) else None
+        rows.append((
+            name, KILO * k * one, None if other is None else KILO * k * other,
+            None if other is None else other / one, noon_by_dawn(found.three, place),
+            None if other is None else noon_by_dawn(found.two, place),
+        ))  # fmt: skip
+    low, high = published.energy
+    rows.append(("the paper", low, high, high / low,
+                 *(noon / published.peak_copper for noon in published.noon_copper)))  # fmt: skip
+    return Table(
+        f"Copper's heat on the equinox for the same mass centres, with {1e4 * k:.2f}·10⁻⁴ W/N². "
+        "The ratios hang on no motor.",
+        [
+            "mass centre", Column("three drives", "kJ", ".1f"), Column("two drives", "kJ", ".1f"),
+            Column("two by three", "", ".2f"),
+            Column("three drives: noon by sunrise", "", ".2f"),
+            Column("two drives: noon by sunrise", "", ".2f"),
+        ],
+        rows,
+    )  # fmt: skip
+
+
+def mechanical(found, places):
+    """Mechanical power."""
+    rows = []
+    for name, place in places.items():
+        (peak, size), (peak_2, size_2) = found.mechanical((0.0, *place))
+        rows.append((name, *(MILLI * P for P in (peak, peak_2, size, size_2))))
+    return Table(
+        "Mechanical power of all drives together on the equinox for the same mass centres, in "
+        "size. In the paper the peaks are equal and the mean is higher with three drives.",
+        [
+            "mass centre", Column("largest, three drives", "mW", ".3f"),
+            Column("two drives", "mW", ".3f"), Column("mean, three drives", "mW", ".3f"),
+            Column("two drives", "mW", ".3f"),
+        ],
+        rows,
+    )  # fmt: skip
+
+
+def noon_by_dawn(of, place):
+    """Heat of all drives at noon by that at sunrise."""
+    F = of.at((0.0, *place))
+    noon = F[len(F) // 2]
+    return float((noon**2).sum() / (F[0] ** 2).sum())
