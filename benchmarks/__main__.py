@@ -10,9 +10,10 @@ from collections.abc import Iterator, Sequence
 
 from benchmarks.count import CountError
 from benchmarks.measure import WrongValuesError, measure
+from benchmarks.patience import is_slow, slow_rows
 from benchmarks.peers import PeerModule, peers
 from benchmarks.recipes import KERNELS
-from benchmarks.table import PAGE, RESULTS, Row, kept_rows, load, to_json, to_markdown
+from benchmarks.table import OURS, PAGE, RESULTS, Row, kept_rows, load, to_json, to_markdown
 from benchmarks.yardstick import hand_rows
 
 
@@ -27,7 +28,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     committed = load()
     try:
-        rows = list(collect(committed))
+        rows = list(collect(committed, check=options.check))
     except (CountError, WrongValuesError) as error:
         print(f"benchmark: {error}", file=sys.stderr)
         return 1
@@ -39,14 +40,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return 0
 
 
-def collect(committed: Sequence[Row]) -> Iterator[Row]:
+def collect(committed: Sequence[Row], *, check: bool) -> Iterator[Row]:
     """Every row: our own, those by hand, then the peers', measured or else kept."""
     yield from ours(committed)
     say("by hand")
     yield from hand_rows()
     for peer in peers():
         if peer.PEER.installed:
-            yield from peer_rows(peer)
+            yield from peer_rows(peer, committed, check=check)
             continue
         kept = kept_rows(committed, peer.PEER.name)
         say(f"{peer.PEER.name} is not installed: {peer.PEER.remedy}. {len(kept)} old rows kept.")
@@ -57,26 +58,29 @@ def ours(committed: Sequence[Row]) -> list[Row]:
     """Rows of this project's own generator, from `benchmarks/ours.py`."""
     if importlib.util.find_spec("benchmarks.ours") is None:
         say("no benchmarks/ours.py: the project's own rows are left out")
-        return kept_rows(committed, "Armillary")
-    say("Armillary")
+        return kept_rows(committed, OURS)
+    say(OURS)
     rows: list[Row] = importlib.import_module("benchmarks.ours").armillary_rows()
     return rows
 
 
-def peer_rows(peer: PeerModule) -> Iterator[Row]:
+def peer_rows(peer: PeerModule, committed: Sequence[Row], *, check: bool) -> Iterator[Row]:
     """Measure every variant of every recipe that a peer can be given."""
     tool, version = peer.PEER.name, peer.PEER.version
     for kernel in KERNELS.values():
         say(f"{tool} {version}: {kernel.name}")
         for name, recipe in kernel.recipes.items():
+            if is_slow(peer.PEER, kernel.name, name):
+                yield from slow_rows(peer, kernel, name, committed, check=check)
+                continue
             for code in peer.generate(kernel, recipe):
                 yield measure(kernel, code, tool=tool, version=version, recipe=name)
 
 
 def check(rows: Sequence[Row], committed: Sequence[Row]) -> int:
     """Compare with the committed rows; a row that could not be measured proves nothing."""
-    old = {row.identity: row.counts for row in committed}
-    new = {row.identity: row.counts for row in rows}
+    old = {row.identity: row.counts or "not finished" for row in committed}
+    new = {row.identity: row.counts or "not finished" for row in rows}
     changed = [name for name in {**old, **new} if old.get(name) != new.get(name)]
     for name in changed:
         print(f"{' / '.join(filter(None, name))}: {old.get(name)} -> {new.get(name)}")

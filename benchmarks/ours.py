@@ -1,10 +1,16 @@
 """The benchmark kernels as this project derives them: joints, vectors, the derivatives asked for.
 
 No intermediate of a hand-written kernel is named here; what is shared, carried or factored is the
-program's doing.
+program's doing. K3 and K4 are the project's own derivation of the tracker on three legs: K4 is
+its kernel `forces`, K3 is made of its definitions with the joints' positions for inputs.
 """
 
 from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import accumulate
+from pathlib import Path
 
 from armillary import (
     Chain,
@@ -17,36 +23,45 @@ from armillary import (
     __version__,
     direction_angles,
     partial,
-    time_derivative,
+    substitute,
     unit,
-    vector,
 )
 from armillary.algebra.scalar import Scalar, Symbol
-from armillary.derivation.statements import Kernel as Wanted
+from armillary.derivation.load import load
 from armillary.derivation.units import METRE
-from armillary.program.compile import compile_kernel
-from armillary.targets.c import CKernel, CTarget, header_file, source_file, status_header
 from benchmarks.measure import measure
 from benchmarks.peers import Generated
+from benchmarks.printed import Asked, Printed
 from benchmarks.recipes import KERNELS
-from benchmarks.table import Row
+from benchmarks.table import OURS, Row
+from benchmarks.tracker import SIZES
 
-TARGET = CTarget("armillary", "", ("f64",), __version__)
+TRACKER = Path(__file__).parents[1] / "derivations" / "rr_3ups" / "derivation.py"
 
 
 def armillary_rows() -> list[Row]:
-    """One row a kernel, generated and counted like everyone's."""
-    made = {"K1": two_axis(), "K2": heliostat(), "K3": platform(), "A6": arm()}
-    return [
-        measure(
-            KERNELS[name],
-            Generated("", c_source(derivation), call(derivation)),
-            tool="Armillary",
-            version=__version__,
-            recipe="chain of joints",
+    """A row for each kernel, generated and counted like everyone's, and for both of its stages."""
+    return [row for name, asked in kernels().items() for row in _rows(name, Printed(asked))]
+
+
+def _rows(name: str, printed: Printed) -> Iterator[Row]:
+    for stage in printed.stages:
+        code = Generated("", printed.source, printed.call(stage))
+        row = measure(
+            KERNELS[name], code, tool=OURS, version=__version__, recipe=printed.asked.recipe
         )
-        for name, derivation in made.items()
-    ]
+        yield replace(row, stage=stage)
+
+
+def kernels() -> dict[str, Asked]:
+    """What is compiled for each problem."""
+    return {
+        "K1": Asked(two_axis()),
+        "K2": Asked(heliostat()),
+        "K3": legs(),
+        "K4": forces(),
+        "A6": Asked(arm()),
+    }
 
 
 def two_axis() -> Derivation:
@@ -65,9 +80,11 @@ def two_axis() -> Derivation:
 def heliostat() -> Derivation:
     """K2."""
     d = Derivation("k2", title="K2")
-    hour, dec, lat = (d.angle(name, name) for name in ("hour", "dec", "lat"))
-    b = d.vector("b", "direction of the receiver")
-    theta, psi, chi = (d.angle(name, name) for name in ("theta", "psi", "chi"))
+    hour, dec = (d.angle(name, name) for name in ("hour", "dec"))
+    b = d.vector("b", "direction of the receiver", rate=Rate.MOUNT)
+    lat, theta, psi, chi = (
+        d.angle(name, name, rate=Rate.MOUNT) for name in ("lat", "theta", "psi", "chi")
+    )
     sky = Chain("enu").rotate(X, lat).rotate(Y, -hour).rotate(X, -dec, frame="sun")
     base = Chain("enu").rotate(Z, chi).rotate(Y, psi).rotate(X, theta, frame="base")
     normal = unit(b + sky.rotation("enu", "sun").column(2))
@@ -79,27 +96,37 @@ def heliostat() -> Derivation:
     return d
 
 
-def platform() -> Derivation:
+def legs() -> Asked:
     """K3."""
-    d = Derivation("k3", title="K3")
-    alpha, beta = d.angle("alpha", "azimuth"), d.angle("beta", "tilt")
-    alpha_dot, beta_dot = alpha.rate(), beta.rate()
-    h0 = d.scalar("h0", "height", rate=Rate.MOUNT)
-    a = [d.vector(f"a{leg}", "joint on the platform", rate=Rate.MOUNT) for leg in range(3)]
-    b = [d.vector(f"b{leg}", "joint on the base", rate=Rate.MOUNT) for leg in range(3)]
-    attitude = Chain("base").rotate(Z, alpha).rotate(X, beta, frame="platform")
-    turned = attitude.rotation("base", "platform")
-    legs = [b[k] - vector(0, 0, h0) - turned @ a[k] for k in range(3)]
-    q = [leg.norm() for leg in legs]
-    j = jacobian(q, [alpha, beta])
+    d = load(TRACKER)
+    leg, known = d.indices["leg"], d.definitions
+    joints = d.vector(
+        "joint", "spherical joint, platform axes", unit=METRE, per=leg, rate=Rate.MOUNT
+    )
+    feet = d.vector("foot", "universal joint, world axes", unit=METRE, per=leg, rate=Rate.MOUNT)
+    placed = {known["a_m"].value: joints, known["b"].value: feet}
+
+    def put(name: str) -> Matrix:
+        value = known[name].value
+        rows = value.rows if isinstance(value, Matrix) else ((value,),)
+        return Matrix(tuple(tuple(substitute(entry, placed) for entry in row) for row in rows))
+
+    angles = [d.quantities[name] for name in ("alpha", "beta", "alpha_dot", "beta_dot")]
     outputs = {
-        "q": vector(*q),
-        "q_dot": vector(*(time_derivative(length) for length in q)),
-        "J": j,
-        "J_dot": Matrix(tuple(tuple(time_derivative(e) for e in row) for row in j.rows)),
+        "lengths": put("q_leg"),
+        "rates": put("q_dot"),
+        "rows": put("J"),
+        "turns": put("J_dot"),
     }
-    d.kernel("run", inputs=[alpha, beta, alpha_dot, beta_dot, h0, *a, *b], outputs=outputs)
-    return d
+    d.kernel("k3", inputs=[*angles, joints, feet], outputs=outputs)
+    places = {"alpha": 0, "beta": 1, "alpha_dot": 2, "beta_dot": 3, "joint": 5, "foot": 14}
+    return Asked(d, "k3", "derivations/rr_3ups", {**places, "h_0": 4})
+
+
+def forces() -> Asked:
+    """K4."""
+    places = dict(zip(SIZES, accumulate(SIZES.values(), initial=0), strict=False))
+    return Asked(load(TRACKER), "forces", "derivations/rr_3ups", places)
 
 
 def arm() -> Derivation:
@@ -118,34 +145,3 @@ def arm() -> Derivation:
 def jacobian(values: list[Scalar], by: list[Symbol]) -> Matrix:
     """Partial derivatives, a row a value."""
     return Matrix(tuple(tuple(partial(e, q) for q in by) for e in values))
-
-
-def c_source(derivation: Derivation) -> str:
-    """The generated C as one text, without what ties its files together."""
-    made = compile_kernel(derivation.kernels["run"])
-    kernel = CKernel(made.program, made.cost)
-    name, abi = derivation.name, "0x0UL"
-    parts = [
-        status_header(__version__),
-        header_file(name, derivation.title, derivation.parameters, [kernel], TARGET, abi),
-        source_file(kernel, TARGET, "f64", abi),
-    ]
-    lines = [line for part in parts for line in part.splitlines()]
-    return "\n".join(line for line in lines if not line.startswith('#include "'))
-
-
-def call(derivation: Derivation) -> str:
-    """The statement that hands the benchmark's arrays over, in the order they stand in."""
-    kernel: Wanted = derivation.kernels["run"]
-    arguments, position = [], 0
-    for quantity in kernel.inputs:
-        arguments.append(f"in + {position}" if quantity.shape else f"in[{position}]")
-        position += len(quantity.parts)
-    position = 0
-    for output in kernel.outputs:
-        arguments.append(f"out + {position}")
-        size = 1
-        for n in output.shape:
-            size *= n
-        position += size
-    return f"(void){derivation.name}_run_f64({', '.join(arguments)});"

@@ -2,40 +2,31 @@
 
 Text-book means full matrices, multiplied in order, and derivatives left to the tool. No
 intermediate result is named for the tool's benefit, so that what is measured is what the tool
-finds. Scalars are whatever the tool calls an expression; matrices are lists of rows.
+finds; K4 is also written as a recursion that names each of its steps.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Protocol
 
-Scalar = Any
-Vector = list[Scalar]
-Matrix = list[Vector]
-
-
-class Ops(Protocol):
-    """What a tool must offer for a recipe to be written in it."""
-
-    def sin(self, x: Scalar, /) -> Scalar:
-        """Sine."""
-
-    def cos(self, x: Scalar, /) -> Scalar:
-        """Cosine."""
-
-    def sqrt(self, x: Scalar, /) -> Scalar:
-        """Square root."""
-
-    def atan2(self, y: Scalar, x: Scalar, /) -> Scalar:
-        """Angle of the point (x, y)."""
-
-    def jacobian(self, values: Vector, variables: Vector, /) -> Matrix:
-        """Derivatives of `values` (rows) by `variables` (columns), by the tool's own rules."""
-
-
-Recipe = Callable[[Ops, Vector], Vector]
+from benchmarks import tracker, tracker_recursion
+from benchmarks.matrices import (
+    Matrix,
+    Ops,
+    Recipe,
+    Vector,
+    apply,
+    column,
+    cross,
+    dot,
+    flat,
+    product,
+    rotation,
+    shift,
+    transpose,
+    turn,
+)
 
 
 @dataclass(frozen=True)
@@ -53,86 +44,6 @@ class Kernel:
     def n_out(self) -> int:
         """Number of scalars that the kernel returns."""
         return sum(self.outputs.values())
-
-
-# --- matrices -----------------------------------------------------------------------------------
-
-
-def total(terms: Sequence[Scalar]) -> Scalar:
-    """Sum without a leading zero, which some tools would keep as an addition."""
-    result = terms[0]
-    for term in terms[1:]:
-        result = result + term
-    return result
-
-
-def dot(a: Vector, b: Vector) -> Scalar:
-    """Scalar product."""
-    return total([x * y for x, y in zip(a, b, strict=True)])
-
-
-def cross(a: Vector, b: Vector) -> Vector:
-    """Vector product in three dimensions."""
-    return [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-
-
-def transpose(m: Matrix) -> Matrix:
-    """Rows become columns."""
-    return [list(column) for column in zip(*m, strict=True)]
-
-
-def product(*factors: Matrix) -> Matrix:
-    """Matrix product, evaluated from the left."""
-    result = factors[0]
-    for factor in factors[1:]:
-        columns = transpose(factor)
-        result = [[dot(row, column) for column in columns] for row in result]
-    return result
-
-
-def apply(m: Matrix, v: Vector) -> Vector:
-    """Matrix times column."""
-    return [dot(row, v) for row in m]
-
-
-def flat(m: Matrix) -> Vector:
-    """Row-major list of the entries."""
-    return [entry for row in m for entry in row]
-
-
-def rotation(ops: Ops, axis: str, angle: Scalar) -> Matrix:
-    """Active right-handed rotation about a coordinate axis."""
-    c, s = ops.cos(angle), ops.sin(angle)
-    if axis == "x":
-        return [[1, 0, 0], [0, c, -s], [0, s, c]]
-    if axis == "y":
-        return [[c, 0, s], [0, 1, 0], [-s, 0, c]]
-    return [[c, -s, 0], [s, c, 0], [0, 0, 1]]
-
-
-def turn(ops: Ops, axis: str, angle: Scalar) -> Matrix:
-    """Homogeneous 4x4 form of a rotation."""
-    return [[*row, 0] for row in rotation(ops, axis, angle)] + [[0, 0, 0, 1]]
-
-
-def shift(axis: str, length: Scalar) -> Matrix:
-    """Homogeneous 4x4 form of a translation along a coordinate axis."""
-    return [
-        [1, 0, 0, length if axis == "x" else 0],
-        [0, 1, 0, length if axis == "y" else 0],
-        [0, 0, 1, length if axis == "z" else 0],
-        [0, 0, 0, 1],
-    ]
-
-
-def column(m: Matrix, axis: str | None = None) -> Vector:
-    """Upper three entries of an axis' column; of the last column (the origin) without an axis."""
-    j = "xyz".index(axis) if axis else 3
-    return [m[i][j] for i in range(3)]
 
 
 # --- K1: two-axis pose --------------------------------------------------------------------------
@@ -288,6 +199,23 @@ KERNELS: dict[str, Kernel] = {
             recipes={
                 "position differentiated": arm_by_differentiation,
                 "axis x lever arm": arm_by_cross_products,
+            },
+        ),
+        Kernel(
+            name="K4",
+            title="RR-3UPS leg forces",
+            definition=(
+                "Inverse dynamics of the tracker on three legs: the forces of least norm along the"
+                " legs that drive the motion (alpha, beta and their first and second derivatives)"
+                " against inertia and weight of the platform and of two bodies a leg, and a"
+                " moment on the platform. All dimensions are inputs. `f_d` does no work."
+            ),
+            inputs=tracker.INPUTS,
+            outputs={"F": 3},
+            recipes={
+                "leg angles, differentiated": tracker.by_leg_angles,
+                "leg axes, differentiated": tracker.by_leg_axes,
+                "recursion, named steps": tracker_recursion.by_recursion,
             },
         ),
     )

@@ -5,25 +5,31 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass, replace
+from math import inf
 from pathlib import Path
 
 from benchmarks.count import Counts
 from benchmarks.recipes import KERNELS, Kernel
 
 HERE = Path(__file__).parent
+OURS = "Armillary"
+WHOLE, SETUP, STEP = "", "setup", "step"
 RESULTS = HERE / "results.json"
 PAGE = HERE / "RESULTS.md"
+SECONDS = 30  # of processor time that a tool may take over a recipe known to be slow
 
 _INTRODUCTION = """\
 # Operation counts, compared
 
 Written by `make benchmark`. Each peer was given the same text-book recipe (`recipes.py`): full
-matrices, multiplied in order, and derivatives by the tool's own rules. Armillary was given what it
-asks for, the mechanism itself (`ours.py`): joints, vectors and the derivatives wanted, without any
-intermediate of the hand-written kernels. The code it printed was
-compiled with a scalar that counts, so loops, helper functions and repeated calls count as often as
-they run. Every row returned the right values: they were compared at 16 points with a reference of
-50 digits (`reference.py`), to 1e-12 relative to the larger of 1 and the value.
+matrices, multiplied in order, and derivatives by the tool's own rules. K4 was also given to them as
+a recursion from link to link that names each of its steps, as SymPyBotics does
+(`tracker_recursion.py`). Armillary was given what it asks for, the mechanism itself (`ours.py`):
+joints, vectors and the derivatives wanted, without any intermediate of the hand-written kernels;
+K3 and K4 come of this project's derivation of the tracker. The code it printed was compiled with a
+scalar that counts, so loops, helper functions and repeated calls count as often as they run. Every
+row returned the right values: they were compared at 16 points with a reference of 50 digits
+(`reference.py`), to 1e-12 relative to the larger of 1 and the value.
 
 * **flops** = add + mul + div + sqrt. A subtraction is an addition; a sign change, a comparison and
   an absolute value are free; `pow(x, 2)` is a multiplication, as every C compiler makes it one;
@@ -39,6 +45,20 @@ _KEPT = """\
 is from an earlier run.
 """
 
+_SLOW = f"""\
+–: not finished in {SECONDS} s of processor time, and not tried again until recipe, printer or
+version change.
+"""
+
+_STAGES = """\
+## Setup and step
+
+What changes with the mount only is computed once, by the setup; the step does the rest. Of the
+mount are in K2 latitude, receiver and the three turns of the base, in K3 both ends of the legs and
+the height, in K4 every parameter. A setup keeps to what the step needs, and the step is made for
+itself, so that both together may take more or less than the kernel at once.
+"""
+
 _COLUMNS = ("add", "mul", "div", "sqrt", "pow", "trig", "inverse", "flops", "cost")
 
 
@@ -51,18 +71,22 @@ class Row:
     version: str
     options: str
     recipe: str
-    counts: Counts
+    counts: Counts | None  # None: not finished
     kept: bool = False
+    digest: str = ""  # of what decides a slow row
+    stage: str = ""  # WHOLE, SETUP or STEP
 
     @property
-    def identity(self) -> tuple[str, str, str, str]:
+    def identity(self) -> tuple[str, ...]:
         """What makes it the same row in another run."""
-        return (self.kernel, self.tool, self.options, self.recipe)
+        return (self.kernel, self.tool, self.options, self.recipe, self.stage)
 
     @property
-    def order(self) -> tuple[int, int, int, tuple[str, str, str, str]]:
+    def order(self) -> tuple[int, float, float, tuple[str, ...]]:
         """Kernels as listed, then the cheapest first."""
         place = list(KERNELS).index(self.kernel)
+        if self.counts is None:
+            return (place, inf, inf, self.identity)
         return (place, self.counts.cost, self.counts.flops, self.identity)
 
 
@@ -76,7 +100,11 @@ def load(path: Path = RESULTS) -> list[Row]:
     if not path.exists():
         return []
     entries = json.loads(path.read_text())["rows"]
-    return [Row(**{**entry, "counts": Counts(**entry["counts"])}) for entry in entries]
+    return [Row(**{**entry, "counts": _counts(entry["counts"])}) for entry in entries]
+
+
+def _counts(entry: dict[str, int] | None) -> Counts | None:
+    return None if entry is None else Counts(**entry)
 
 
 def to_json(rows: Sequence[Row]) -> str:
@@ -88,9 +116,13 @@ def to_json(rows: Sequence[Row]) -> str:
 def to_markdown(rows: Sequence[Row]) -> str:
     """The page that people read."""
     ordered = sorted(rows, key=lambda row: row.order)
-    sections = [_INTRODUCTION, *(_section(kernel, ordered) for kernel in KERNELS.values())]
+    whole = [row for row in ordered if row.stage == WHOLE]
+    sections = [_INTRODUCTION, *(_section(kernel, whole) for kernel in KERNELS.values())]
+    sections.append(_stages(ordered))
     if any(row.kept for row in rows):
         sections.append(_KEPT)
+    if any(row.digest for row in rows):
+        sections.append(_SLOW)
     versions = sorted({(row.tool, row.version) for row in rows if row.version})
     sections.append("Versions: " + ", ".join(f"{t} {v}" for t, v in versions) + ".\n")
     return "\n".join(sections)
@@ -107,7 +139,26 @@ def _section(kernel: Kernel, rows: Sequence[Row]) -> str:
     return "\n".join([*lines, *map(_line, own)]) + "\n"
 
 
+def _stages(rows: Sequence[Row]) -> str:
+    """Armillary's kernels whose quantities of the mount are dealt with beforehand."""
+    divided = {row.kernel for row in rows if row.stage != WHOLE}
+    found = {(row.kernel, row.stage): row for row in rows if row.tool == OURS}
+    lines = [_STAGES, "| kernel | " + " | ".join(_COLUMNS) + " |", "|---|" + "--:|" * len(_COLUMNS)]
+    for kernel in KERNELS:
+        if kernel in divided:
+            lines += [
+                f"| {kernel}, {stage or 'at once'} | {_numbers(found[kernel, stage])} |"
+                for stage in (WHOLE, SETUP, STEP)
+            ]
+    return "\n".join(lines) + "\n"
+
+
 def _line(row: Row) -> str:
     tool = f"{row.tool} ({row.options})" if row.options else row.tool
-    numbers = " | ".join(str(getattr(row.counts, name)) for name in _COLUMNS)
-    return f"| {tool}{' (kept)' if row.kept else ''} | {row.recipe} | {numbers} |"
+    return f"| {tool}{' (kept)' if row.kept else ''} | {row.recipe} | {_numbers(row)} |"
+
+
+def _numbers(row: Row) -> str:
+    return " | ".join(
+        "–" if row.counts is None else str(getattr(row.counts, name)) for name in _COLUMNS
+    )

@@ -14,7 +14,8 @@ from dataclasses import dataclass
 from importlib import metadata
 from typing import Protocol, cast
 
-from benchmarks.recipes import Kernel, Recipe
+from benchmarks.matrices import Recipe
+from benchmarks.recipes import Kernel
 
 ENTRY = "bench_kernel"
 
@@ -55,7 +56,9 @@ class Peer:
 class PeerModule(Protocol):
     """What a module in this package offers."""
 
+    __name__: str
     PEER: Peer
+    OPTIONS: tuple[str, ...]  # what `generate` yields for each recipe
 
     def generate(self, kernel: Kernel, recipe: Recipe) -> Iterator[Generated]:
         """One variant after another."""

@@ -8,10 +8,12 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from benchmarks.matrices import Matrix, Recipe, Scalar, Vector
 from benchmarks.peers import ENTRY, Generated, Peer, scalar_call
-from benchmarks.recipes import Kernel, Matrix, Recipe, Scalar, Vector
+from benchmarks.recipes import Kernel
 
 PEER = Peer("SymForce", package="symforce", module="symforce")
+OPTIONS = ("default",)
 
 # Named only by functions whose arguments are matrices; these take scalars.
 UNUSED_INCLUDE = "#include <Eigen/Core>"
@@ -28,6 +30,10 @@ class SymForceOps:
     def atan2(self, y: Scalar, x: Scalar, /) -> Scalar:
         """The plain angle: SymForce shifts `x` by an epsilon unless told not to."""
         return self._sf.atan2(y, x, epsilon=0)
+
+    def named(self, values: Vector, /) -> Vector:
+        """As they are: an expression is not written out where it is used."""
+        return values
 
     def jacobian(self, values: Vector, variables: Vector, /) -> Matrix:
         """Entry by entry with `diff`."""
@@ -57,4 +63,4 @@ def generate(kernel: Kernel, recipe: Recipe) -> Iterator[Generated]:
     source = source.replace(UNUSED_INCLUDE, "").replace("#pragma once", "")
     entry = "sym::" + "".join(word.capitalize() for word in ENTRY.split("_"))
     targets = [f"out + {i}" for i in range(kernel.n_out)]
-    yield Generated("default", source, scalar_call(entry, len(symbols), targets))
+    yield Generated(*OPTIONS, source, scalar_call(entry, len(symbols), targets))
