@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 
 FLAGS = ["-std=c99", "-O2", "-ffp-contract=off", "-fno-math-errno", "-fPIC", "-shared"]
@@ -18,24 +19,24 @@ class NoCompilerError(RuntimeError):
     """There is no C compiler on this machine, or it cannot build the kernels."""
 
 
-def library(sources: Path, extra: str) -> Path:
-    """The shared library of every source in a folder and one more text.
+def library(sources: Path, names: Sequence[str], extra: str) -> Path:
+    """The shared library of some sources in a folder and one more text.
 
     Raises:
         NoCompilerError: says what to install, or what the compiler said.
     """
-    files = sorted([*sources.glob("*.c"), *sources.glob("*.h")])
-    if not files:
+    headers, inputs = sorted(sources.glob("*.h")), [sources / name for name in names]
+    if not headers:
         raise FileNotFoundError(f"no C kernels in {sources}")
     # The compiler is looked for only when there is something to compile.
     machine = [os.environ.get("CC", ""), sys.platform, platform.machine()]
     key = hashlib.sha256(" ".join([*FLAGS, *machine]).encode())
-    for file in files:
+    for file in (*inputs, *headers):
         key.update(file.name.encode() + file.read_bytes())
     key.update(extra.encode())
     target = _cache() / f"kernels-{key.hexdigest()[:24]}.so"
     if not target.exists():
-        _build(_compiler(), sources, extra, target)
+        _build(_compiler(), sources, inputs, extra, target)
     return target
 
 
@@ -64,13 +65,15 @@ def _cache() -> Path:
         return Path(tempfile.mkdtemp(prefix="armillary-"))
 
 
-def _build(compiler: list[str], sources: Path, extra: str, target: Path) -> None:
+def _build(
+    compiler: list[str], folder: Path, inputs: Sequence[Path], extra: str, target: Path
+) -> None:
     with tempfile.TemporaryDirectory(dir=target.parent) as scratch:
         batch = Path(scratch) / "batch.c"
         batch.write_text(extra, encoding="utf-8")
         made = Path(scratch) / target.name
-        inputs = [str(p) for p in sorted(sources.glob("*.c"))]
-        command = [*compiler, *FLAGS, f"-I{sources}", "-o", str(made), str(batch), *inputs, "-lm"]
+        texts = [str(path) for path in (batch, *inputs)]
+        command = [*compiler, *FLAGS, f"-I{folder}", "-o", str(made), *texts, "-lm"]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode != 0:
             raise NoCompilerError(f"{done.stderr}\n{shlex.join(command)} failed as said above")

@@ -6,6 +6,9 @@ NumPy arrays; float32 inputs run the f32 kernels, everything else the f64 ones.
 
 A kernel that is called a million times is prepared once: `native.<system>.<kernel>.prepare(...)`
 takes the same arguments and gives a `Prepared` call, which allocates nothing when it runs.
+
+Where a kernel has a set-up and a step, `<kernel>_setup(...)` takes what changes with the mount and
+gives a `Context`; `<kernel>_step(context, ...)` takes the rest, and may be prepared too.
 """
 
 import ctypes
@@ -19,12 +22,12 @@ from typing import Any
 
 import numpy as np
 
-from ._batch import batch_source
+from ._batch import batch_source, stages_files, stages_source
 from ._compiler import NoCompilerError, library
 from ._runtime import lengths
 from ._signatures import FOLDER, PRECISIONS, SYSTEMS
 
-__all__ = ["NoCompilerError", "Prepared"]
+__all__ = ["Context", "NoCompilerError", "Prepared"]
 
 _HERE = Path(__file__).resolve().parent
 _TYPES = {"f32": np.float32, "f64": np.float64}
@@ -43,6 +46,9 @@ def __getattr__(system: str) -> Any:
     module = import_module(f".{system}", __package__)
     kernels = SYSTEMS[system]["kernels"]
     made = {name: _function(system, name, getattr(module, name), module) for name in kernels}
+    for name, facts in kernels.items():
+        if "stages" in facts:
+            made |= _stages(system, name, module)
     globals()[system] = _System(system, made)
     return globals()[system]
 
@@ -64,7 +70,7 @@ def __dir__() -> list[str]:
 
 
 def _function(system: str, name: str, like: Any, module: Any) -> Any:
-    result_type = getattr(module, "".join(w.capitalize() for w in name.split("_")) + "Result")
+    result_type = _result_type(name, module)
 
     @functools.wraps(like)
     def kernel(**arguments: Any) -> Any:
@@ -79,6 +85,63 @@ def _function(system: str, name: str, like: Any, module: Any) -> Any:
 
     kernel.prepare = prepare  # type: ignore[attr-defined]
     return kernel
+
+
+def _result_type(name: str, module: Any) -> Any:
+    return getattr(module, "".join(w.capitalize() for w in name.split("_")) + "Result")
+
+
+def _stages(system: str, name: str, module: Any) -> dict[str, Any]:
+    """The set-up and the step of a kernel."""
+    result_type = _result_type(name, module)
+
+    def setup(**arguments: Any) -> Context:
+        return Context(_Call(system, name, arguments, "setup"))
+
+    def step(context: Context, **arguments: Any) -> Any:
+        call = _Call(system, name, arguments, "step", context)
+        results = call.results()
+        call.function()(*call.pointers(call.spread, results))
+        return result_type(*results)
+
+    def prepare(context: Context, **arguments: Any) -> Prepared:
+        """A step of this kernel that may run many times; see `Prepared`."""
+        return Prepared(_Call(system, name, arguments, "step", context), result_type)
+
+    step.prepare = prepare  # type: ignore[attr-defined]
+    for stage, made in (("setup", setup), ("step", step)):
+        made.__name__ = made.__qualname__ = f"{name}_{stage}"
+        made.__doc__ = _told(system, name, stage)
+    return {f"{name}_setup": setup, f"{name}_step": step}
+
+
+def _told(system: str, name: str, stage: str) -> str:
+    facts = SYSTEMS[system]["kernels"][name]["stages"][stage]
+    names = ", ".join([q for q, _ in facts["inputs"]] + facts["reads"])
+    if stage == "setup":
+        return f"What the steps of `{name}` read of the mount, from {names}: one mount a call."
+    return f"`{name}` after its set-up, from its context and {names or 'nothing else'}."
+
+
+class Context:
+    """What a set-up left for the steps of its kernel, in one precision.
+
+    Attributes:
+        status: what the set-up answered; where it is negative no step runs.
+    """
+
+    status: int
+
+    def __init__(self, call: "_Call") -> None:
+        if call.batch:
+            raise ValueError(f"{call.name}_setup sets up one mount, not a batch")
+        self.kernel, self.precision = (call.system, call.name), call.precision
+        symbol = f"{call.system}_{call.name}_setup_{call.precision}"
+        size = getattr(_stages_library(), f"size_{symbol}")
+        size.restype = ctypes.c_size_t
+        self.memory = ctypes.create_string_buffer(size())
+        one = getattr(_stages_library(), f"one_{symbol}")
+        self.status = int(one(_pointers(call.spread), self.memory))
 
 
 class Prepared:
@@ -123,13 +186,24 @@ class Prepared:
 class _Call:
     """The arguments of one call, checked, in one precision."""
 
-    def __init__(self, system: str, name: str, arguments: dict[str, Any]) -> None:
-        self.system, self.name = system, name
-        self.facts = SYSTEMS[system]["kernels"][name]
+    def __init__(
+        self,
+        system: str,
+        name: str,
+        arguments: dict[str, Any],
+        stage: str = "",
+        context: Context | None = None,
+    ) -> None:
+        self.system, self.name, self.stage, self.context = system, name, stage, context
+        kernel = SYSTEMS[system]["kernels"][name]
+        self.facts = kernel["stages"][stage] if stage else kernel
         self.shapes = dict([*SYSTEMS[system]["parameters"], *self.facts["inputs"]])
         self.wanted = [q for q, _ in self.facts["inputs"]] + self.facts["reads"]
         self._check_names(arguments)
-        self.precision = _precision([arguments[q] for q in self.wanted])
+        if stage == "step":
+            self.precision = self._precision_of(context)
+        else:
+            self.precision = _precision([arguments[q] for q in self.wanted])
         self.dtype = _TYPES[self.precision]
         with np.errstate(over="ignore", invalid="ignore"):
             # What float32 cannot hold becomes infinite, and the kernel refuses it.
@@ -146,6 +220,14 @@ class _Call:
                 array if one else np.asarray(np.broadcast_to(array, full), order="C")
             )
             self.steps.append(0 if one else prod(self.shapes[q]))
+
+    def _precision_of(self, context: Context | None) -> str:
+        """That of the set-up, which must be one of this kernel that succeeded."""
+        if context is None or getattr(context, "kernel", None) != (self.system, self.name):
+            raise TypeError(f"{self.name}_step needs the context of {self.name}_setup")
+        if context.status < 0:
+            raise ValueError(f"{self.name}_setup answered {context.status}: it left no context")
+        return context.precision
 
     def _check_names(self, arguments: dict[str, Any]) -> None:
         unknown = sorted(set(arguments) - set(self.shapes))
@@ -170,11 +252,15 @@ class _Call:
 
     def function(self) -> Any:
         """The compiled function."""
-        return getattr(_library(), f"batch_{self.system}_{self.name}_{self.precision}")
+        stage = f"_{self.stage}" if self.stage else ""
+        made = _stages_library() if stage else _library()
+        return getattr(made, f"batch_{self.system}_{self.name}{stage}_{self.precision}")
 
     def pointers(self, inputs: list[Any], results: list[Any]) -> tuple[Any, ...]:
         """What the compiled function takes; the arrays must outlive it."""
+        context = () if self.context is None else (self.context.memory,)
         return (
+            *context,
             ctypes.c_size_t(prod(self.batch)),
             _pointers(inputs),
             (ctypes.c_size_t * max(1, len(self.steps)))(*self.steps),
@@ -208,4 +294,12 @@ def _pointers(arrays: list[Any]) -> Any:
 
 @functools.cache
 def _library() -> Any:
-    return ctypes.CDLL(str(library(sources(), batch_source())))
+    apart = stages_files()
+    names = sorted(path.name for path in sources().glob("*.c") if path.name not in apart)
+    return ctypes.CDLL(str(library(sources(), names, batch_source())))
+
+
+@functools.cache
+def _stages_library() -> Any:
+    """Set-ups and steps: a library of its own, built only for those who use them."""
+    return ctypes.CDLL(str(library(sources(), sorted(stages_files()), stages_source())))

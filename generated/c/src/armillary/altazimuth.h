@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_ALTAZIMUTH_ABI 0x695f07dcUL
+#define ARMILLARY_ALTAZIMUTH_ABI 0x34c8f85dUL
 
 #ifdef __cplusplus
 extern "C" {
@@ -52,6 +52,42 @@ typedef struct {
 int altazimuth_pose_f32(const altazimuth_params_f32 *p, float gamma, float upsilon, float M[16]);
 
 /**
+ * @brief What pose_setup hands to pose_step: 2 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float L_2;
+  float m1;
+} altazimuth_pose_ctx_f32;
+
+/**
+ * @brief Set-up of pose: all of it that changes with the mount only.
+ *
+ * Cost: 1 flops (0 mul, 1 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters
+ * @param[out] ctx what pose_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int altazimuth_pose_setup_f32(const altazimuth_params_f32 *p, altazimuth_pose_ctx_f32 *ctx);
+
+/**
+ * @brief Step of pose. Pose of the collector.
+ *
+ * Cost: 8 flops (7 mul, 1 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what pose_setup left, its status not negative
+ * @param[in] gamma azimuth drive angle, clockwise seen from above, rad, refused outside [-1000,
+ *     1000], working range [-3.2, 3.2]
+ * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
+ *     working range [-3.2, 3.2]
+ * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
+ *     rotation beside the position of its origin in m, 4 by 4, row-major (altazimuth-M)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int altazimuth_pose_step_f32(
+    const altazimuth_pose_ctx_f32 *ctx, float gamma, float upsilon, float M[16]);
+
+/**
  * @brief Motion of the collector while the drives run.
  *
  * Cost: 23 flops (19 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
@@ -83,6 +119,59 @@ int altazimuth_velocity_f32(
     float v_spatial[3], float V_space[16]);
 
 /**
+ * @brief What velocity_setup hands to velocity_step: 3 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float L_2;
+  float L_0;
+  float L_1;
+} altazimuth_velocity_ctx_f32;
+
+/**
+ * @brief Set-up of velocity: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters
+ * @param[out] ctx what velocity_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int altazimuth_velocity_setup_f32(
+    const altazimuth_params_f32 *p, altazimuth_velocity_ctx_f32 *ctx);
+
+/**
+ * @brief Step of velocity. Motion of the collector while the drives run.
+ *
+ * Cost: 23 flops (19 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what velocity_setup left, its status not negative
+ * @param[in] gamma azimuth drive angle, clockwise seen from above, rad, refused outside [-1000,
+ *     1000], working range [-3.2, 3.2]
+ * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
+ *     working range [-3.2, 3.2]
+ * @param[in] gamma_dot rate of gamma, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
+ *     1]
+ * @param[in] upsilon_dot rate of upsilon, rad/s, refused outside [-1e+06, 1e+06], working range
+ *     [-1, 1]
+ * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
+ *     (altazimuth-Omega_space)
+ * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
+ *     (altazimuth-Omega_body)
+ * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
+ *     (altazimuth-v_origin)
+ * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
+ *     m/s (altazimuth-v_spatial)
+ * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
+ *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
+ *     (altazimuth-V_space)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int altazimuth_velocity_step_f32(
+    const altazimuth_velocity_ctx_f32 *ctx, float gamma, float upsilon, float gamma_dot,
+    float upsilon_dot, float Omega_space[3], float Omega_body[3], float v_origin[3],
+    float v_spatial[3], float V_space[16]);
+
+/**
  * @brief Motion of the collector per unit speed of each drive.
  *
  * Cost: 6 flops (6 mul, 0 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
@@ -98,6 +187,43 @@ int altazimuth_velocity_f32(
  */
 int altazimuth_jacobian_f32(
     const altazimuth_params_f32 *p, float gamma, float upsilon, float J[12]);
+
+/**
+ * @brief What jacobian_setup hands to jacobian_step: 1 number.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float L_2;
+} altazimuth_jacobian_ctx_f32;
+
+/**
+ * @brief Set-up of jacobian: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: L_0, L_1
+ * @param[out] ctx what jacobian_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int altazimuth_jacobian_setup_f32(
+    const altazimuth_params_f32 *p, altazimuth_jacobian_ctx_f32 *ctx);
+
+/**
+ * @brief Step of jacobian. Motion of the collector per unit speed of each drive.
+ *
+ * Cost: 6 flops (6 mul, 0 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what jacobian_setup left, its status not negative
+ * @param[in] gamma azimuth drive angle, clockwise seen from above, rad, refused outside [-1000,
+ *     1000], working range [-3.2, 3.2]
+ * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
+ *     working range [-3.2, 3.2]
+ * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
+ *     its origin, m per unit of drive, over three for its angular velocity; columns gamma,
+ *     upsilon, 6 by 2, row-major (altazimuth-J)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int altazimuth_jacobian_step_f32(
+    const altazimuth_jacobian_ctx_f32 *ctx, float gamma, float upsilon, float J[12]);
 
 /**
  * @brief Drive angles that put the collector's third axis on the sun.
@@ -145,6 +271,42 @@ int altazimuth_pose_f64(
     const altazimuth_params_f64 *p, double gamma, double upsilon, double M[16]);
 
 /**
+ * @brief What pose_setup hands to pose_step: 2 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double L_2;
+  double m1;
+} altazimuth_pose_ctx_f64;
+
+/**
+ * @brief Set-up of pose: all of it that changes with the mount only.
+ *
+ * Cost: 1 flops (0 mul, 1 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters
+ * @param[out] ctx what pose_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int altazimuth_pose_setup_f64(const altazimuth_params_f64 *p, altazimuth_pose_ctx_f64 *ctx);
+
+/**
+ * @brief Step of pose. Pose of the collector.
+ *
+ * Cost: 8 flops (7 mul, 1 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what pose_setup left, its status not negative
+ * @param[in] gamma azimuth drive angle, clockwise seen from above, rad, refused outside [-1000,
+ *     1000], working range [-3.2, 3.2]
+ * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
+ *     working range [-3.2, 3.2]
+ * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
+ *     rotation beside the position of its origin in m, 4 by 4, row-major (altazimuth-M)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int altazimuth_pose_step_f64(
+    const altazimuth_pose_ctx_f64 *ctx, double gamma, double upsilon, double M[16]);
+
+/**
  * @brief Motion of the collector while the drives run.
  *
  * Cost: 23 flops (19 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
@@ -176,6 +338,59 @@ int altazimuth_velocity_f64(
     double v_spatial[3], double V_space[16]);
 
 /**
+ * @brief What velocity_setup hands to velocity_step: 3 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double L_2;
+  double L_0;
+  double L_1;
+} altazimuth_velocity_ctx_f64;
+
+/**
+ * @brief Set-up of velocity: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters
+ * @param[out] ctx what velocity_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int altazimuth_velocity_setup_f64(
+    const altazimuth_params_f64 *p, altazimuth_velocity_ctx_f64 *ctx);
+
+/**
+ * @brief Step of velocity. Motion of the collector while the drives run.
+ *
+ * Cost: 23 flops (19 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what velocity_setup left, its status not negative
+ * @param[in] gamma azimuth drive angle, clockwise seen from above, rad, refused outside [-1000,
+ *     1000], working range [-3.2, 3.2]
+ * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
+ *     working range [-3.2, 3.2]
+ * @param[in] gamma_dot rate of gamma, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
+ *     1]
+ * @param[in] upsilon_dot rate of upsilon, rad/s, refused outside [-1e+06, 1e+06], working range
+ *     [-1, 1]
+ * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
+ *     (altazimuth-Omega_space)
+ * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
+ *     (altazimuth-Omega_body)
+ * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
+ *     (altazimuth-v_origin)
+ * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
+ *     m/s (altazimuth-v_spatial)
+ * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
+ *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
+ *     (altazimuth-V_space)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int altazimuth_velocity_step_f64(
+    const altazimuth_velocity_ctx_f64 *ctx, double gamma, double upsilon, double gamma_dot,
+    double upsilon_dot, double Omega_space[3], double Omega_body[3], double v_origin[3],
+    double v_spatial[3], double V_space[16]);
+
+/**
  * @brief Motion of the collector per unit speed of each drive.
  *
  * Cost: 6 flops (6 mul, 0 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
@@ -191,6 +406,43 @@ int altazimuth_velocity_f64(
  */
 int altazimuth_jacobian_f64(
     const altazimuth_params_f64 *p, double gamma, double upsilon, double J[12]);
+
+/**
+ * @brief What jacobian_setup hands to jacobian_step: 1 number.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double L_2;
+} altazimuth_jacobian_ctx_f64;
+
+/**
+ * @brief Set-up of jacobian: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: L_0, L_1
+ * @param[out] ctx what jacobian_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int altazimuth_jacobian_setup_f64(
+    const altazimuth_params_f64 *p, altazimuth_jacobian_ctx_f64 *ctx);
+
+/**
+ * @brief Step of jacobian. Motion of the collector per unit speed of each drive.
+ *
+ * Cost: 6 flops (6 mul, 0 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what jacobian_setup left, its status not negative
+ * @param[in] gamma azimuth drive angle, clockwise seen from above, rad, refused outside [-1000,
+ *     1000], working range [-3.2, 3.2]
+ * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
+ *     working range [-3.2, 3.2]
+ * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
+ *     its origin, m per unit of drive, over three for its angular velocity; columns gamma,
+ *     upsilon, 6 by 2, row-major (altazimuth-J)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int altazimuth_jacobian_step_f64(
+    const altazimuth_jacobian_ctx_f64 *ctx, double gamma, double upsilon, double J[12]);
 
 /**
  * @brief Drive angles that put the collector's third axis on the sun.

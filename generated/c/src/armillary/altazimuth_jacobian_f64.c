@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_ALTAZIMUTH_ABI) || (ARMILLARY_ALTAZIMUTH_ABI != 0x695f07dcUL)
+#if !defined(ARMILLARY_ALTAZIMUTH_ABI) || (ARMILLARY_ALTAZIMUTH_ABI != 0x34c8f85dUL)
 #error "altazimuth.h is of another version than this file: copy both from one release"
 #endif
 

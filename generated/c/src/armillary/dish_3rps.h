@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_DISH_3RPS_ABI 0x1619fc69UL
+#define ARMILLARY_DISH_3RPS_ABI 0x118147c1UL
 
 #ifdef __cplusplus
 extern "C" {
@@ -119,6 +119,54 @@ int dish_3rps_facet_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float H_R_M[9], float M[3]);
 
 /**
+ * @brief What facet_setup hands to facet_step: 11 numbers.
+ * Its fields may change from version to version.
+ * It holds dish_3rps-H_T_P.
+ */
+typedef struct {
+  float phi;
+  float m1;
+  float m2;
+  float cos_phi;
+  float sin_phi;
+  float r_m;
+  float d;
+  float m3;
+  float z_O;
+  float H_T_P_p_x;
+  float H_T_P_p_y;
+} dish_3rps_facet_ctx_f32;
+
+/**
+ * @brief Set-up of facet: all of it that changes with the mount only.
+ *
+ * Cost: 12 flops (8 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: r_b, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what facet_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_facet_setup_f32(const dish_3rps_params_f32 *p, dish_3rps_facet_ctx_f32 *ctx);
+
+/**
+ * @brief Step of facet. Rotation and point of the facet, in {H}.
+ *
+ * Cost: 62 flops (39 mul, 21 add, 2 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what facet_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] H_R_M rotation of the facet: its axes in {H}; x looks at the dish's axis, z is the
+ *     normal, 3 by 3, row-major (dish_3rps-H_R_M)
+ * @param[out] M the facet's point, {H}, m (dish_3rps-M)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ */
+int dish_3rps_facet_step_f32(
+    const dish_3rps_facet_ctx_f32 *ctx, float alpha, float beta, float H_R_M[9], float M[3]);
+
+/**
  * @brief How far the facet's point stands from the point of the dish, in {H}.
  *
  * Cost: 53 flops (32 mul, 16 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
@@ -132,6 +180,48 @@ int dish_3rps_facet_f32(
  *   UNREACHABLE: the facet hangs face down
  */
 int dish_3rps_off_dish_f32(const dish_3rps_params_f32 *p, float alpha, float beta, float off[3]);
+
+/**
+ * @brief What off_dish_setup hands to off_dish_step: 8 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float phi;
+  float m1;
+  float m2;
+  float r_m;
+  float d;
+  float m3;
+  float cos_phi;
+  float sin_phi;
+} dish_3rps_off_dish_ctx_f32;
+
+/**
+ * @brief Set-up of off_dish: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what off_dish_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_off_dish_setup_f32(const dish_3rps_params_f32 *p, dish_3rps_off_dish_ctx_f32 *ctx);
+
+/**
+ * @brief Step of off_dish. How far the facet's point stands from the point of the dish, in {H}.
+ *
+ * Cost: 43 flops (26 mul, 15 add, 2 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what off_dish_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] off from the dish's point to the facet's, {H}, m (dish_3rps-off_dish)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ */
+int dish_3rps_off_dish_step_f32(
+    const dish_3rps_off_dish_ctx_f32 *ctx, float alpha, float beta, float off[3]);
 
 /**
  * @brief Lengths of the three rods of one facet.
@@ -150,6 +240,50 @@ int dish_3rps_off_dish_f32(const dish_3rps_params_f32 *p, float alpha, float bet
 int dish_3rps_rod_lengths_f32(const dish_3rps_params_f32 *p, float alpha, float beta, float l[3]);
 
 /**
+ * @brief What rod_lengths_setup hands to rod_lengths_step: 8 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float phi;
+  float m1;
+  float m2;
+  float r_m;
+  float r_b;
+  float d;
+  float m3;
+  float z_O;
+} dish_3rps_rod_lengths_ctx_f32;
+
+/**
+ * @brief Set-up of rod_lengths: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what rod_lengths_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_rod_lengths_setup_f32(
+    const dish_3rps_params_f32 *p, dish_3rps_rod_lengths_ctx_f32 *ctx);
+
+/**
+ * @brief Step of rod_lengths. Lengths of the three rods of one facet.
+ *
+ * Cost: 67 flops (39 mul, 24 add, 1 div, 3 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what rod_lengths_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] l length of rod i; rods 0, 1, 2 stand at 0, 120, -120 degrees from the way to the
+ *     dish's axis, counter-clockwise from above, for each leg, m (dish_3rps-l_rod)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ */
+int dish_3rps_rod_lengths_step_f32(
+    const dish_3rps_rod_lengths_ctx_f32 *ctx, float alpha, float beta, float l[3]);
+
+/**
  * @brief Lengths of the rods of four facets, at 0, 90, 180 and 270 degrees; phi is not used.
  *
  * Cost: 286 flops (166 mul, 101 add, 6 div, 13 sqrt), 4 sin/cos, 0 atan2.
@@ -165,6 +299,50 @@ int dish_3rps_rod_lengths_f32(const dish_3rps_params_f32 *p, float alpha, float 
  */
 int dish_3rps_rod_lengths_all_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float l[12]);
+
+/**
+ * @brief What rod_lengths_all_setup hands to rod_lengths_all_step: 7 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float m1;
+  float m2;
+  float r_m;
+  float r_b;
+  float m3;
+  float d;
+  float z_O;
+} dish_3rps_rod_lengths_all_ctx_f32;
+
+/**
+ * @brief Set-up of rod_lengths_all: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: phi, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what rod_lengths_all_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_rod_lengths_all_setup_f32(
+    const dish_3rps_params_f32 *p, dish_3rps_rod_lengths_all_ctx_f32 *ctx);
+
+/**
+ * @brief Step of rod_lengths_all. Lengths of the rods of four facets, at 0, 90, 180 and 270
+ *     degrees; phi is not used.
+ *
+ * Cost: 276 flops (160 mul, 100 add, 4 div, 12 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what rod_lengths_all_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] l length of rod i of facet N: facets to the east, north, west and south, for each
+ *     facet and leg, 4 by 3, row-major, m (dish_3rps-l_all)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a facet hangs face down
+ */
+int dish_3rps_rod_lengths_all_step_f32(
+    const dish_3rps_rod_lengths_all_ctx_f32 *ctx, float alpha, float beta, float l[12]);
 
 /**
  * @brief Rates of the three rods of one facet.
@@ -191,6 +369,56 @@ int dish_3rps_rod_rates_f32(
     float z_dot, float l_dot[3]);
 
 /**
+ * @brief What rod_rates_setup hands to rod_rates_step: 8 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float phi;
+  float m1;
+  float m2;
+  float r_m;
+  float r_b;
+  float d;
+  float m3;
+  float z_O;
+} dish_3rps_rod_rates_ctx_f32;
+
+/**
+ * @brief Set-up of rod_rates: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what rod_rates_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_rod_rates_setup_f32(const dish_3rps_params_f32 *p, dish_3rps_rod_rates_ctx_f32 *ctx);
+
+/**
+ * @brief Step of rod_rates. Rates of the three rods of one facet.
+ *
+ * Cost: 148 flops (88 mul, 53 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what rod_rates_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
+ *     1]
+ * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
+ *     1]
+ * @param[in] z_dot rate of the height of the dish's vertex, m/s, refused outside [-1e+06,
+ *     1e+06], working range [-1, 1]
+ * @param[out] l_dot rate of the length of rod i, for each leg, m/s (dish_3rps-l_dot)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ *   UNREACHABLE: a rod has no length
+ */
+int dish_3rps_rod_rates_step_f32(
+    const dish_3rps_rod_rates_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
+    float beta_dot, float z_dot, float l_dot[3]);
+
+/**
  * @brief Velocity of the facet's point and angular velocity of the facet, in {H}.
  *
  * Cost: 108 flops (71 mul, 32 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
@@ -215,6 +443,59 @@ int dish_3rps_facet_rates_f32(
     float z_dot, float M_dot[3], float Omega[3]);
 
 /**
+ * @brief What facet_rates_setup hands to facet_rates_step: 9 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float phi;
+  float m1;
+  float m2;
+  float r_m;
+  float m3;
+  float d;
+  float m4;
+  float cos_phi;
+  float sin_phi;
+} dish_3rps_facet_rates_ctx_f32;
+
+/**
+ * @brief Set-up of facet_rates: all of it that changes with the mount only.
+ *
+ * Cost: 11 flops (7 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what facet_rates_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_facet_rates_setup_f32(
+    const dish_3rps_params_f32 *p, dish_3rps_facet_rates_ctx_f32 *ctx);
+
+/**
+ * @brief Step of facet_rates. Velocity of the facet's point and angular velocity of the facet,
+ *     in {H}.
+ *
+ * Cost: 97 flops (64 mul, 31 add, 2 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what facet_rates_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
+ *     1]
+ * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
+ *     1]
+ * @param[in] z_dot rate of the height of the dish's vertex, m/s, refused outside [-1e+06,
+ *     1e+06], working range [-1, 1]
+ * @param[out] M_dot velocity of the facet's point, {H}, m/s (dish_3rps-v_M)
+ * @param[out] Omega angular velocity of the facet, {H}, rad/s (dish_3rps-Omega_M)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ */
+int dish_3rps_facet_rates_step_f32(
+    const dish_3rps_facet_rates_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
+    float beta_dot, float z_dot, float M_dot[3], float Omega[3]);
+
+/**
  * @brief Jacobian from the facet's twist about its point to the rates of its rods.
  *
  * Cost: 186 flops (122 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
@@ -234,6 +515,55 @@ int dish_3rps_jacobian_a_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float J_A[18]);
 
 /**
+ * @brief What jacobian_a_setup hands to jacobian_a_step: 10 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float phi;
+  float m1;
+  float m2;
+  float r_m;
+  float r_b;
+  float d;
+  float m3;
+  float z_O;
+  float cos_phi;
+  float sin_phi;
+} dish_3rps_jacobian_a_ctx_f32;
+
+/**
+ * @brief Set-up of jacobian_a: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what jacobian_a_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_jacobian_a_setup_f32(
+    const dish_3rps_params_f32 *p, dish_3rps_jacobian_a_ctx_f32 *ctx);
+
+/**
+ * @brief Step of jacobian_a. Jacobian from the facet's twist about its point to the rates of its
+ *     rods.
+ *
+ * Cost: 176 flops (116 mul, 53 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what jacobian_a_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] J_A row i of the Jacobian from the facet's twist about its point to the rods'
+ *     rates, {H}: three columns in 1 for the velocity, then three in m for the angular velocity,
+ *     for each leg, 3 by 6, row-major (dish_3rps-J_A)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ *   UNREACHABLE: a rod has no length
+ */
+int dish_3rps_jacobian_a_step_f32(
+    const dish_3rps_jacobian_a_ctx_f32 *ctx, float alpha, float beta, float J_A[18]);
+
+/**
  * @brief Jacobian from the rates of alpha, beta and z_O to the facet's twist about its point.
  *
  * Cost: 149 flops (100 mul, 44 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
@@ -249,6 +579,51 @@ int dish_3rps_jacobian_a_f32(
  */
 int dish_3rps_jacobian_b_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float J_B[18]);
+
+/**
+ * @brief What jacobian_b_setup hands to jacobian_b_step: 8 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float phi;
+  float m1;
+  float m2;
+  float r_m;
+  float d;
+  float m3;
+  float cos_phi;
+  float sin_phi;
+} dish_3rps_jacobian_b_ctx_f32;
+
+/**
+ * @brief Set-up of jacobian_b: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what jacobian_b_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_jacobian_b_setup_f32(
+    const dish_3rps_params_f32 *p, dish_3rps_jacobian_b_ctx_f32 *ctx);
+
+/**
+ * @brief Step of jacobian_b. Jacobian from the rates of alpha, beta and z_O to the facet's twist
+ *     about its point.
+ *
+ * Cost: 139 flops (94 mul, 43 add, 2 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what jacobian_b_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] J_B Jacobian from the rates of alpha, beta and z_O to the facet's twist about its
+ *     point, {H}: velocity over angular velocity, 6 by 3, row-major (dish_3rps-J_B)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ */
+int dish_3rps_jacobian_b_step_f32(
+    const dish_3rps_jacobian_b_ctx_f32 *ctx, float alpha, float beta, float J_B[18]);
 
 /**
  * @brief Jacobian from the facet's twist about its point to the rates of its rods, over the
@@ -270,6 +645,63 @@ int dish_3rps_jacobian_full_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float J[36]);
 
 /**
+ * @brief What jacobian_full_setup hands to jacobian_full_step: 22 numbers.
+ * Its fields may change from version to version.
+ * It holds dish_3rps-t_H, dish_3rps-J_plane, dish_3rps-J.
+ */
+typedef struct {
+  float phi;
+  float m1;
+  float m2;
+  float r_m;
+  float r_b;
+  float d;
+  float m3;
+  float z_O;
+  float cos_phi;
+  float sin_phi;
+  float t_H_y[3];
+  float t_H_x[3];
+  float J_41;
+  float J_42;
+  float J_51;
+  float J_52;
+  float J_61;
+  float J_62;
+} dish_3rps_jacobian_full_ctx_f32;
+
+/**
+ * @brief Set-up of jacobian_full: all of it that changes with the mount only.
+ *
+ * Cost: 28 flops (18 mul, 7 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what jacobian_full_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_jacobian_full_setup_f32(
+    const dish_3rps_params_f32 *p, dish_3rps_jacobian_full_ctx_f32 *ctx);
+
+/**
+ * @brief Step of jacobian_full. Jacobian from the facet's twist about its point to the rates of
+ *     its rods, over the rates that its hinges make zero.
+ *
+ * Cost: 191 flops (128 mul, 56 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what jacobian_full_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] J Jacobian from the facet's twist about its point to the three rates of the rods,
+ *     over the three that the hinges make zero, {H}, 6 by 6, row-major (dish_3rps-J)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ *   UNREACHABLE: a rod has no length
+ */
+int dish_3rps_jacobian_full_step_f32(
+    const dish_3rps_jacobian_full_ctx_f32 *ctx, float alpha, float beta, float J[36]);
+
+/**
  * @brief Jacobian from the facet's twist about its point to the rates of its hinges.
  *
  * Cost: 204 flops (140 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
@@ -286,6 +718,54 @@ int dish_3rps_jacobian_full_f32(
  */
 int dish_3rps_jacobian_passive_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float J_P[18]);
+
+/**
+ * @brief What jacobian_passive_setup hands to jacobian_passive_step: 10 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float phi;
+  float d;
+  float m1;
+  float z_O;
+  float m2;
+  float m3;
+  float r_m;
+  float r_b;
+  float cos_phi;
+  float sin_phi;
+} dish_3rps_jacobian_passive_ctx_f32;
+
+/**
+ * @brief Set-up of jacobian_passive: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what jacobian_passive_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_jacobian_passive_setup_f32(
+    const dish_3rps_params_f32 *p, dish_3rps_jacobian_passive_ctx_f32 *ctx);
+
+/**
+ * @brief Step of jacobian_passive. Jacobian from the facet's twist about its point to the rates
+ *     of its hinges.
+ *
+ * Cost: 194 flops (134 mul, 53 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what jacobian_passive_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] J_P row i of the Jacobian from the facet's twist about its point to the rates of
+ *     the hinges, {H}, for each leg, 3 by 6, row-major (dish_3rps-J_P)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ *   UNREACHABLE: a rod has no length
+ */
+int dish_3rps_jacobian_passive_step_f32(
+    const dish_3rps_jacobian_passive_ctx_f32 *ctx, float alpha, float beta, float J_P[18]);
 
 /**
  * @brief Rates of the three hinges of one facet.
@@ -312,6 +792,57 @@ int dish_3rps_passive_rates_f32(
     float z_dot, float p_R_dot[3]);
 
 /**
+ * @brief What passive_rates_setup hands to passive_rates_step: 8 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float phi;
+  float d;
+  float m1;
+  float z_O;
+  float m2;
+  float m3;
+  float r_m;
+  float r_b;
+} dish_3rps_passive_rates_ctx_f32;
+
+/**
+ * @brief Set-up of passive_rates: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what passive_rates_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_passive_rates_setup_f32(
+    const dish_3rps_params_f32 *p, dish_3rps_passive_rates_ctx_f32 *ctx);
+
+/**
+ * @brief Step of passive_rates. Rates of the three hinges of one facet.
+ *
+ * Cost: 151 flops (91 mul, 53 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what passive_rates_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
+ *     1]
+ * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
+ *     1]
+ * @param[in] z_dot rate of the height of the dish's vertex, m/s, refused outside [-1e+06,
+ *     1e+06], working range [-1, 1]
+ * @param[out] p_R_dot rate of hinge i, for each leg, rad/s (dish_3rps-p_dot)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ *   UNREACHABLE: a rod has no length
+ */
+int dish_3rps_passive_rates_step_f32(
+    const dish_3rps_passive_rates_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
+    float beta_dot, float z_dot, float p_R_dot[3]);
+
+/**
  * @brief Angles of the three S-joints: between rod and facet normal, in [0, pi].
  *
  * Cost: 143 flops (87 mul, 46 add, 3 div, 7 sqrt), 4 sin/cos, 3 atan2.
@@ -327,6 +858,52 @@ int dish_3rps_passive_rates_f32(
  *   UNREACHABLE: a rod has no length
  */
 int dish_3rps_joint_angles_f32(const dish_3rps_params_f32 *p, float alpha, float beta, float s[3]);
+
+/**
+ * @brief What joint_angles_setup hands to joint_angles_step: 8 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float phi;
+  float m1;
+  float m2;
+  float r_m;
+  float r_b;
+  float d;
+  float m3;
+  float z_O;
+} dish_3rps_joint_angles_ctx_f32;
+
+/**
+ * @brief Set-up of joint_angles: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what joint_angles_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_joint_angles_setup_f32(
+    const dish_3rps_params_f32 *p, dish_3rps_joint_angles_ctx_f32 *ctx);
+
+/**
+ * @brief Step of joint_angles. Angles of the three S-joints: between rod and facet normal, in
+ *     [0, pi].
+ *
+ * Cost: 133 flops (81 mul, 45 add, 1 div, 6 sqrt), 4 sin/cos, 3 atan2.
+ * @param[in] ctx what joint_angles_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] s angle of S-joint i: between rod and normal, in [0, pi], for each leg, rad
+ *     (dish_3rps-s)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ *   UNREACHABLE: a rod has no length
+ */
+int dish_3rps_joint_angles_step_f32(
+    const dish_3rps_joint_angles_ctx_f32 *ctx, float alpha, float beta, float s[3]);
 
 /**
  * @brief Angles of the three hinges: of the rods from the vertical, outward positive.
@@ -347,6 +924,52 @@ int dish_3rps_revolute_angles_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float p_R[3]);
 
 /**
+ * @brief What revolute_angles_setup hands to revolute_angles_step: 8 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float phi;
+  float m1;
+  float m2;
+  float r_m;
+  float r_b;
+  float d;
+  float m3;
+  float z_O;
+} dish_3rps_revolute_angles_ctx_f32;
+
+/**
+ * @brief Set-up of revolute_angles: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what revolute_angles_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_revolute_angles_setup_f32(
+    const dish_3rps_params_f32 *p, dish_3rps_revolute_angles_ctx_f32 *ctx);
+
+/**
+ * @brief Step of revolute_angles. Angles of the three hinges: of the rods from the vertical,
+ *     outward positive.
+ *
+ * Cost: 67 flops (39 mul, 24 add, 1 div, 3 sqrt), 4 sin/cos, 3 atan2.
+ * @param[in] ctx what revolute_angles_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] p_R angle of hinge i: of the rod from the vertical, outward positive, for each
+ *     leg, rad (dish_3rps-p_R)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ *   UNREACHABLE: a rod has no length
+ */
+int dish_3rps_revolute_angles_step_f32(
+    const dish_3rps_revolute_angles_ctx_f32 *ctx, float alpha, float beta, float p_R[3]);
+
+/**
  * @brief Rotation and point of the facet on rods of the lengths given, by eight steps of
  *     Newton's method from a guess. OK means rods of these lengths: where the facet stands
  *     nearly on edge, only a close guess tells which of two poses.
@@ -365,6 +988,60 @@ int dish_3rps_revolute_angles_f32(
  */
 int dish_3rps_forward_f32(
     const dish_3rps_params_f32 *p, const float l[3], const float guess[3], float H_R_M[9],
+    float M[3]);
+
+/**
+ * @brief What forward_setup hands to forward_step: 18 numbers.
+ * Its fields may change from version to version.
+ * It holds dish_3rps-H_T_P.
+ */
+typedef struct {
+  float phi;
+  float m1;
+  float m2;
+  float d;
+  float m3;
+  float r_m;
+  float r_b;
+  float m4[3];
+  float m5;
+  float m6[3];
+  float cos_phi;
+  float sin_phi;
+  float H_T_P_p_x;
+  float H_T_P_p_y;
+} dish_3rps_forward_ctx_f32;
+
+/**
+ * @brief Set-up of forward: all of it that changes with the mount only.
+ *
+ * Cost: 19 flops (15 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what forward_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_forward_setup_f32(const dish_3rps_params_f32 *p, dish_3rps_forward_ctx_f32 *ctx);
+
+/**
+ * @brief Step of forward. Rotation and point of the facet on rods of the lengths given, by eight
+ *     steps of Newton's method from a guess. OK means rods of these lengths: where the facet
+ *     stands nearly on edge, only a close guess tells which of two poses.
+ *
+ * Cost: 1788 flops (1022 mul, 747 add, 19 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * Inputs are read while results are written: they must not overlap.
+ * @param[in] ctx what forward_setup left, its status not negative
+ * @param[in] l length of rod i, for each leg, m, refused outside [0, 1000], working range [2, 4]
+ * @param[in] guess where the search starts: alpha and beta in rad and z_O in m, refused outside
+ *     [-1000, 1000], working range [0, 1.5]
+ * @param[out] H_R_M rotation of the facet on rods of the lengths given: its axes in {H}, 3 by 3,
+ *     row-major (dish_3rps-H_R_found)
+ * @param[out] M point of the facet on rods of the lengths given, {H}, m (dish_3rps-M_found)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_CONVERGED, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   NOT_CONVERGED: the search did not end on rods of these lengths
+ */
+int dish_3rps_forward_step_f32(
+    const dish_3rps_forward_ctx_f32 *ctx, const float l[3], const float guess[3], float H_R_M[9],
     float M[3]);
 
 /**
@@ -399,6 +1076,75 @@ int dish_3rps_static_forces_f32(
     const float f_d[3], const float n_d[3], float g, float F_out[3]);
 
 /**
+ * @brief What static_forces_setup hands to static_forces_step: 22 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float phi;
+  float m1;
+  float m2;
+  float r_m;
+  float r_b;
+  float d;
+  float m3;
+  float z_O;
+  float m4;
+  float m5[3];
+  float m6[3];
+  float m7;
+  float cos_phi;
+  float sin_phi;
+  float m8;
+  float centre_x;
+  float centre_y;
+  float centre_z;
+} dish_3rps_static_forces_ctx_f32;
+
+/**
+ * @brief Set-up of static_forces: all of it that changes with the mount only.
+ *
+ * Cost: 21 flops (17 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[in] mass mass of the facet with its platform, kg, refused outside [0, 1e+06], working
+ *     range [0, 100]
+ * @param[in] centre centre of mass from the facet's point, facet axes, m, refused outside
+ *     [-1000, 1000], working range [-0.3, 0.3]
+ * @param[in] g acceleration of free fall, m/s^2, refused outside [0, 1000], working range [0,
+ *     10]
+ * @param[out] ctx what static_forces_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_static_forces_setup_f32(
+    const dish_3rps_params_f32 *p, float mass, const float centre[3], float g,
+    dish_3rps_static_forces_ctx_f32 *ctx);
+
+/**
+ * @brief Step of static_forces. Forces of the three rods that hold the facet against its weight
+ *     and a disturbance, push positive.
+ *
+ * Cost: 329 flops (208 mul, 112 add, 6 div, 3 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what static_forces_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[in] f_d disturbing force on the facet at its point, such as wind, N, refused outside
+ *     [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the facet about its point, N*m, refused outside [-1e+06,
+ *     1e+06], working range [-200, 200]
+ * @param[out] F_out force of each rod on the facet, push positive, N (dish_3rps-F_rod)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
+ *     ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ *   UNREACHABLE: a rod has no length
+ *   SINGULAR: the rods do not hold the facet: their forces are given as 0
+ */
+int dish_3rps_static_forces_step_f32(
+    const dish_3rps_static_forces_ctx_f32 *ctx, float alpha, float beta, const float f_d[3],
+    const float n_d[3], float F_out[3]);
+
+/**
  * @brief How far the central ray passes the focus when the facet has the dish's normal.
  *
  * Cost: 87 flops (50 mul, 31 add, 4 div, 2 sqrt), 4 sin/cos, 1 atan2.
@@ -415,6 +1161,53 @@ int dish_3rps_static_forces_f32(
  */
 int dish_3rps_central_ray_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float *miss, float *miss_angle);
+
+/**
+ * @brief What central_ray_setup hands to central_ray_step: 8 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float phi;
+  float m1;
+  float m2;
+  float r_m;
+  float d;
+  float m3;
+  float z_O;
+  float f;
+} dish_3rps_central_ray_ctx_f32;
+
+/**
+ * @brief Set-up of central_ray: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: r_b, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what central_ray_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_central_ray_setup_f32(
+    const dish_3rps_params_f32 *p, dish_3rps_central_ray_ctx_f32 *ctx);
+
+/**
+ * @brief Step of central_ray. How far the central ray passes the focus when the facet has the
+ *     dish's normal.
+ *
+ * Cost: 77 flops (44 mul, 30 add, 2 div, 1 sqrt), 4 sin/cos, 1 atan2.
+ * @param[in] ctx what central_ray_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] miss distance by which the central ray passes the focus, m (dish_3rps-miss)
+ * @param[out] miss_angle angle between the central ray and the way to the focus, in [0, pi], rad
+ *     (dish_3rps-miss_angle)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ */
+int dish_3rps_central_ray_step_f32(
+    const dish_3rps_central_ray_ctx_f32 *ctx, float alpha, float beta, float *miss,
+    float *miss_angle);
 
 /**
  * @brief Rotation, point and rods of a facet whose normal halves the angle between sun and
@@ -439,6 +1232,64 @@ int dish_3rps_central_ray_f32(
 int dish_3rps_aim_at_receiver_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float H_R_M[9], float M[3],
     float l[3]);
+
+/**
+ * @brief What aim_at_receiver_setup hands to aim_at_receiver_step: 14 numbers.
+ * Its fields may change from version to version.
+ * It holds dish_3rps-H_T_P.
+ */
+typedef struct {
+  float phi;
+  float m1;
+  float m2;
+  float f;
+  float d;
+  float z_O;
+  float r_m;
+  float m3;
+  float m4;
+  float cos_phi;
+  float sin_phi;
+  float H_T_P_p_x;
+  float H_T_P_p_y;
+  float r_b;
+} dish_3rps_aim_at_receiver_ctx_f32;
+
+/**
+ * @brief Set-up of aim_at_receiver: all of it that changes with the mount only.
+ *
+ * Cost: 13 flops (9 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what aim_at_receiver_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_aim_at_receiver_setup_f32(
+    const dish_3rps_params_f32 *p, dish_3rps_aim_at_receiver_ctx_f32 *ctx);
+
+/**
+ * @brief Step of aim_at_receiver. Rotation, point and rods of a facet whose normal halves the
+ *     angle between sun and receiver, by five steps of Newton's method.
+ *
+ * Cost: 721 flops (408 mul, 275 add, 23 div, 15 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what aim_at_receiver_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] H_R_M rotation of a facet that aims at the receiver: its axes in {H}, 3 by 3,
+ *     row-major (dish_3rps-H_R_aimed)
+ * @param[out] M point of a facet that aims at the receiver, {H}, m (dish_3rps-M_aimed)
+ * @param[out] l length of rod i of a facet that aims at the receiver, for each leg, m
+ *     (dish_3rps-l_aimed)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_CONVERGED, ARMILLARY_NOT_FINITE,
+ *     ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ *   NOT_CONVERGED: the normal that was found is not the bisector
+ */
+int dish_3rps_aim_at_receiver_step_f32(
+    const dish_3rps_aim_at_receiver_ctx_f32 *ctx, float alpha, float beta, float H_R_M[9],
+    float M[3], float l[3]);
 
 /** State of the rod control, kept from call to call. */
 typedef struct {
@@ -587,6 +1438,54 @@ int dish_3rps_facet_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double H_R_M[9], double M[3]);
 
 /**
+ * @brief What facet_setup hands to facet_step: 11 numbers.
+ * Its fields may change from version to version.
+ * It holds dish_3rps-H_T_P.
+ */
+typedef struct {
+  double phi;
+  double m1;
+  double m2;
+  double cos_phi;
+  double sin_phi;
+  double r_m;
+  double d;
+  double m3;
+  double z_O;
+  double H_T_P_p_x;
+  double H_T_P_p_y;
+} dish_3rps_facet_ctx_f64;
+
+/**
+ * @brief Set-up of facet: all of it that changes with the mount only.
+ *
+ * Cost: 12 flops (8 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: r_b, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what facet_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_facet_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_facet_ctx_f64 *ctx);
+
+/**
+ * @brief Step of facet. Rotation and point of the facet, in {H}.
+ *
+ * Cost: 62 flops (39 mul, 21 add, 2 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what facet_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] H_R_M rotation of the facet: its axes in {H}; x looks at the dish's axis, z is the
+ *     normal, 3 by 3, row-major (dish_3rps-H_R_M)
+ * @param[out] M the facet's point, {H}, m (dish_3rps-M)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ */
+int dish_3rps_facet_step_f64(
+    const dish_3rps_facet_ctx_f64 *ctx, double alpha, double beta, double H_R_M[9], double M[3]);
+
+/**
  * @brief How far the facet's point stands from the point of the dish, in {H}.
  *
  * Cost: 53 flops (32 mul, 16 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
@@ -601,6 +1500,48 @@ int dish_3rps_facet_f64(
  */
 int dish_3rps_off_dish_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double off[3]);
+
+/**
+ * @brief What off_dish_setup hands to off_dish_step: 8 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double phi;
+  double m1;
+  double m2;
+  double r_m;
+  double d;
+  double m3;
+  double cos_phi;
+  double sin_phi;
+} dish_3rps_off_dish_ctx_f64;
+
+/**
+ * @brief Set-up of off_dish: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what off_dish_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_off_dish_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_off_dish_ctx_f64 *ctx);
+
+/**
+ * @brief Step of off_dish. How far the facet's point stands from the point of the dish, in {H}.
+ *
+ * Cost: 43 flops (26 mul, 15 add, 2 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what off_dish_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] off from the dish's point to the facet's, {H}, m (dish_3rps-off_dish)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ */
+int dish_3rps_off_dish_step_f64(
+    const dish_3rps_off_dish_ctx_f64 *ctx, double alpha, double beta, double off[3]);
 
 /**
  * @brief Lengths of the three rods of one facet.
@@ -620,6 +1561,50 @@ int dish_3rps_rod_lengths_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double l[3]);
 
 /**
+ * @brief What rod_lengths_setup hands to rod_lengths_step: 8 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double phi;
+  double m1;
+  double m2;
+  double r_m;
+  double r_b;
+  double d;
+  double m3;
+  double z_O;
+} dish_3rps_rod_lengths_ctx_f64;
+
+/**
+ * @brief Set-up of rod_lengths: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what rod_lengths_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_rod_lengths_setup_f64(
+    const dish_3rps_params_f64 *p, dish_3rps_rod_lengths_ctx_f64 *ctx);
+
+/**
+ * @brief Step of rod_lengths. Lengths of the three rods of one facet.
+ *
+ * Cost: 67 flops (39 mul, 24 add, 1 div, 3 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what rod_lengths_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] l length of rod i; rods 0, 1, 2 stand at 0, 120, -120 degrees from the way to the
+ *     dish's axis, counter-clockwise from above, for each leg, m (dish_3rps-l_rod)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ */
+int dish_3rps_rod_lengths_step_f64(
+    const dish_3rps_rod_lengths_ctx_f64 *ctx, double alpha, double beta, double l[3]);
+
+/**
  * @brief Lengths of the rods of four facets, at 0, 90, 180 and 270 degrees; phi is not used.
  *
  * Cost: 286 flops (166 mul, 101 add, 6 div, 13 sqrt), 4 sin/cos, 0 atan2.
@@ -635,6 +1620,50 @@ int dish_3rps_rod_lengths_f64(
  */
 int dish_3rps_rod_lengths_all_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double l[12]);
+
+/**
+ * @brief What rod_lengths_all_setup hands to rod_lengths_all_step: 7 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double m1;
+  double m2;
+  double r_m;
+  double r_b;
+  double m3;
+  double d;
+  double z_O;
+} dish_3rps_rod_lengths_all_ctx_f64;
+
+/**
+ * @brief Set-up of rod_lengths_all: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: phi, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what rod_lengths_all_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_rod_lengths_all_setup_f64(
+    const dish_3rps_params_f64 *p, dish_3rps_rod_lengths_all_ctx_f64 *ctx);
+
+/**
+ * @brief Step of rod_lengths_all. Lengths of the rods of four facets, at 0, 90, 180 and 270
+ *     degrees; phi is not used.
+ *
+ * Cost: 276 flops (160 mul, 100 add, 4 div, 12 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what rod_lengths_all_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] l length of rod i of facet N: facets to the east, north, west and south, for each
+ *     facet and leg, 4 by 3, row-major, m (dish_3rps-l_all)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a facet hangs face down
+ */
+int dish_3rps_rod_lengths_all_step_f64(
+    const dish_3rps_rod_lengths_all_ctx_f64 *ctx, double alpha, double beta, double l[12]);
 
 /**
  * @brief Rates of the three rods of one facet.
@@ -661,6 +1690,56 @@ int dish_3rps_rod_rates_f64(
     double z_dot, double l_dot[3]);
 
 /**
+ * @brief What rod_rates_setup hands to rod_rates_step: 8 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double phi;
+  double m1;
+  double m2;
+  double r_m;
+  double r_b;
+  double d;
+  double m3;
+  double z_O;
+} dish_3rps_rod_rates_ctx_f64;
+
+/**
+ * @brief Set-up of rod_rates: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what rod_rates_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_rod_rates_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_rod_rates_ctx_f64 *ctx);
+
+/**
+ * @brief Step of rod_rates. Rates of the three rods of one facet.
+ *
+ * Cost: 148 flops (88 mul, 53 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what rod_rates_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
+ *     1]
+ * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
+ *     1]
+ * @param[in] z_dot rate of the height of the dish's vertex, m/s, refused outside [-1e+06,
+ *     1e+06], working range [-1, 1]
+ * @param[out] l_dot rate of the length of rod i, for each leg, m/s (dish_3rps-l_dot)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ *   UNREACHABLE: a rod has no length
+ */
+int dish_3rps_rod_rates_step_f64(
+    const dish_3rps_rod_rates_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
+    double beta_dot, double z_dot, double l_dot[3]);
+
+/**
  * @brief Velocity of the facet's point and angular velocity of the facet, in {H}.
  *
  * Cost: 108 flops (71 mul, 32 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
@@ -685,6 +1764,59 @@ int dish_3rps_facet_rates_f64(
     double z_dot, double M_dot[3], double Omega[3]);
 
 /**
+ * @brief What facet_rates_setup hands to facet_rates_step: 9 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double phi;
+  double m1;
+  double m2;
+  double r_m;
+  double m3;
+  double d;
+  double m4;
+  double cos_phi;
+  double sin_phi;
+} dish_3rps_facet_rates_ctx_f64;
+
+/**
+ * @brief Set-up of facet_rates: all of it that changes with the mount only.
+ *
+ * Cost: 11 flops (7 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what facet_rates_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_facet_rates_setup_f64(
+    const dish_3rps_params_f64 *p, dish_3rps_facet_rates_ctx_f64 *ctx);
+
+/**
+ * @brief Step of facet_rates. Velocity of the facet's point and angular velocity of the facet,
+ *     in {H}.
+ *
+ * Cost: 97 flops (64 mul, 31 add, 2 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what facet_rates_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
+ *     1]
+ * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
+ *     1]
+ * @param[in] z_dot rate of the height of the dish's vertex, m/s, refused outside [-1e+06,
+ *     1e+06], working range [-1, 1]
+ * @param[out] M_dot velocity of the facet's point, {H}, m/s (dish_3rps-v_M)
+ * @param[out] Omega angular velocity of the facet, {H}, rad/s (dish_3rps-Omega_M)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ */
+int dish_3rps_facet_rates_step_f64(
+    const dish_3rps_facet_rates_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
+    double beta_dot, double z_dot, double M_dot[3], double Omega[3]);
+
+/**
  * @brief Jacobian from the facet's twist about its point to the rates of its rods.
  *
  * Cost: 186 flops (122 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
@@ -704,6 +1836,55 @@ int dish_3rps_jacobian_a_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double J_A[18]);
 
 /**
+ * @brief What jacobian_a_setup hands to jacobian_a_step: 10 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double phi;
+  double m1;
+  double m2;
+  double r_m;
+  double r_b;
+  double d;
+  double m3;
+  double z_O;
+  double cos_phi;
+  double sin_phi;
+} dish_3rps_jacobian_a_ctx_f64;
+
+/**
+ * @brief Set-up of jacobian_a: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what jacobian_a_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_jacobian_a_setup_f64(
+    const dish_3rps_params_f64 *p, dish_3rps_jacobian_a_ctx_f64 *ctx);
+
+/**
+ * @brief Step of jacobian_a. Jacobian from the facet's twist about its point to the rates of its
+ *     rods.
+ *
+ * Cost: 176 flops (116 mul, 53 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what jacobian_a_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] J_A row i of the Jacobian from the facet's twist about its point to the rods'
+ *     rates, {H}: three columns in 1 for the velocity, then three in m for the angular velocity,
+ *     for each leg, 3 by 6, row-major (dish_3rps-J_A)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ *   UNREACHABLE: a rod has no length
+ */
+int dish_3rps_jacobian_a_step_f64(
+    const dish_3rps_jacobian_a_ctx_f64 *ctx, double alpha, double beta, double J_A[18]);
+
+/**
  * @brief Jacobian from the rates of alpha, beta and z_O to the facet's twist about its point.
  *
  * Cost: 149 flops (100 mul, 44 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
@@ -719,6 +1900,51 @@ int dish_3rps_jacobian_a_f64(
  */
 int dish_3rps_jacobian_b_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double J_B[18]);
+
+/**
+ * @brief What jacobian_b_setup hands to jacobian_b_step: 8 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double phi;
+  double m1;
+  double m2;
+  double r_m;
+  double d;
+  double m3;
+  double cos_phi;
+  double sin_phi;
+} dish_3rps_jacobian_b_ctx_f64;
+
+/**
+ * @brief Set-up of jacobian_b: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what jacobian_b_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_jacobian_b_setup_f64(
+    const dish_3rps_params_f64 *p, dish_3rps_jacobian_b_ctx_f64 *ctx);
+
+/**
+ * @brief Step of jacobian_b. Jacobian from the rates of alpha, beta and z_O to the facet's twist
+ *     about its point.
+ *
+ * Cost: 139 flops (94 mul, 43 add, 2 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what jacobian_b_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] J_B Jacobian from the rates of alpha, beta and z_O to the facet's twist about its
+ *     point, {H}: velocity over angular velocity, 6 by 3, row-major (dish_3rps-J_B)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ */
+int dish_3rps_jacobian_b_step_f64(
+    const dish_3rps_jacobian_b_ctx_f64 *ctx, double alpha, double beta, double J_B[18]);
 
 /**
  * @brief Jacobian from the facet's twist about its point to the rates of its rods, over the
@@ -740,6 +1966,63 @@ int dish_3rps_jacobian_full_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double J[36]);
 
 /**
+ * @brief What jacobian_full_setup hands to jacobian_full_step: 22 numbers.
+ * Its fields may change from version to version.
+ * It holds dish_3rps-t_H, dish_3rps-J_plane, dish_3rps-J.
+ */
+typedef struct {
+  double phi;
+  double m1;
+  double m2;
+  double r_m;
+  double r_b;
+  double d;
+  double m3;
+  double z_O;
+  double cos_phi;
+  double sin_phi;
+  double t_H_y[3];
+  double t_H_x[3];
+  double J_41;
+  double J_42;
+  double J_51;
+  double J_52;
+  double J_61;
+  double J_62;
+} dish_3rps_jacobian_full_ctx_f64;
+
+/**
+ * @brief Set-up of jacobian_full: all of it that changes with the mount only.
+ *
+ * Cost: 28 flops (18 mul, 7 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what jacobian_full_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_jacobian_full_setup_f64(
+    const dish_3rps_params_f64 *p, dish_3rps_jacobian_full_ctx_f64 *ctx);
+
+/**
+ * @brief Step of jacobian_full. Jacobian from the facet's twist about its point to the rates of
+ *     its rods, over the rates that its hinges make zero.
+ *
+ * Cost: 191 flops (128 mul, 56 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what jacobian_full_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] J Jacobian from the facet's twist about its point to the three rates of the rods,
+ *     over the three that the hinges make zero, {H}, 6 by 6, row-major (dish_3rps-J)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ *   UNREACHABLE: a rod has no length
+ */
+int dish_3rps_jacobian_full_step_f64(
+    const dish_3rps_jacobian_full_ctx_f64 *ctx, double alpha, double beta, double J[36]);
+
+/**
  * @brief Jacobian from the facet's twist about its point to the rates of its hinges.
  *
  * Cost: 204 flops (140 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
@@ -756,6 +2039,54 @@ int dish_3rps_jacobian_full_f64(
  */
 int dish_3rps_jacobian_passive_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double J_P[18]);
+
+/**
+ * @brief What jacobian_passive_setup hands to jacobian_passive_step: 10 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double phi;
+  double d;
+  double m1;
+  double z_O;
+  double m2;
+  double m3;
+  double r_m;
+  double r_b;
+  double cos_phi;
+  double sin_phi;
+} dish_3rps_jacobian_passive_ctx_f64;
+
+/**
+ * @brief Set-up of jacobian_passive: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what jacobian_passive_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_jacobian_passive_setup_f64(
+    const dish_3rps_params_f64 *p, dish_3rps_jacobian_passive_ctx_f64 *ctx);
+
+/**
+ * @brief Step of jacobian_passive. Jacobian from the facet's twist about its point to the rates
+ *     of its hinges.
+ *
+ * Cost: 194 flops (134 mul, 53 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what jacobian_passive_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] J_P row i of the Jacobian from the facet's twist about its point to the rates of
+ *     the hinges, {H}, for each leg, 3 by 6, row-major (dish_3rps-J_P)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ *   UNREACHABLE: a rod has no length
+ */
+int dish_3rps_jacobian_passive_step_f64(
+    const dish_3rps_jacobian_passive_ctx_f64 *ctx, double alpha, double beta, double J_P[18]);
 
 /**
  * @brief Rates of the three hinges of one facet.
@@ -782,6 +2113,57 @@ int dish_3rps_passive_rates_f64(
     double z_dot, double p_R_dot[3]);
 
 /**
+ * @brief What passive_rates_setup hands to passive_rates_step: 8 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double phi;
+  double d;
+  double m1;
+  double z_O;
+  double m2;
+  double m3;
+  double r_m;
+  double r_b;
+} dish_3rps_passive_rates_ctx_f64;
+
+/**
+ * @brief Set-up of passive_rates: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what passive_rates_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_passive_rates_setup_f64(
+    const dish_3rps_params_f64 *p, dish_3rps_passive_rates_ctx_f64 *ctx);
+
+/**
+ * @brief Step of passive_rates. Rates of the three hinges of one facet.
+ *
+ * Cost: 151 flops (91 mul, 53 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what passive_rates_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
+ *     1]
+ * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
+ *     1]
+ * @param[in] z_dot rate of the height of the dish's vertex, m/s, refused outside [-1e+06,
+ *     1e+06], working range [-1, 1]
+ * @param[out] p_R_dot rate of hinge i, for each leg, rad/s (dish_3rps-p_dot)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ *   UNREACHABLE: a rod has no length
+ */
+int dish_3rps_passive_rates_step_f64(
+    const dish_3rps_passive_rates_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
+    double beta_dot, double z_dot, double p_R_dot[3]);
+
+/**
  * @brief Angles of the three S-joints: between rod and facet normal, in [0, pi].
  *
  * Cost: 143 flops (87 mul, 46 add, 3 div, 7 sqrt), 4 sin/cos, 3 atan2.
@@ -800,6 +2182,52 @@ int dish_3rps_joint_angles_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double s[3]);
 
 /**
+ * @brief What joint_angles_setup hands to joint_angles_step: 8 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double phi;
+  double m1;
+  double m2;
+  double r_m;
+  double r_b;
+  double d;
+  double m3;
+  double z_O;
+} dish_3rps_joint_angles_ctx_f64;
+
+/**
+ * @brief Set-up of joint_angles: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what joint_angles_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_joint_angles_setup_f64(
+    const dish_3rps_params_f64 *p, dish_3rps_joint_angles_ctx_f64 *ctx);
+
+/**
+ * @brief Step of joint_angles. Angles of the three S-joints: between rod and facet normal, in
+ *     [0, pi].
+ *
+ * Cost: 133 flops (81 mul, 45 add, 1 div, 6 sqrt), 4 sin/cos, 3 atan2.
+ * @param[in] ctx what joint_angles_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] s angle of S-joint i: between rod and normal, in [0, pi], for each leg, rad
+ *     (dish_3rps-s)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ *   UNREACHABLE: a rod has no length
+ */
+int dish_3rps_joint_angles_step_f64(
+    const dish_3rps_joint_angles_ctx_f64 *ctx, double alpha, double beta, double s[3]);
+
+/**
  * @brief Angles of the three hinges: of the rods from the vertical, outward positive.
  *
  * Cost: 77 flops (45 mul, 25 add, 3 div, 4 sqrt), 4 sin/cos, 3 atan2.
@@ -816,6 +2244,52 @@ int dish_3rps_joint_angles_f64(
  */
 int dish_3rps_revolute_angles_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double p_R[3]);
+
+/**
+ * @brief What revolute_angles_setup hands to revolute_angles_step: 8 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double phi;
+  double m1;
+  double m2;
+  double r_m;
+  double r_b;
+  double d;
+  double m3;
+  double z_O;
+} dish_3rps_revolute_angles_ctx_f64;
+
+/**
+ * @brief Set-up of revolute_angles: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what revolute_angles_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_revolute_angles_setup_f64(
+    const dish_3rps_params_f64 *p, dish_3rps_revolute_angles_ctx_f64 *ctx);
+
+/**
+ * @brief Step of revolute_angles. Angles of the three hinges: of the rods from the vertical,
+ *     outward positive.
+ *
+ * Cost: 67 flops (39 mul, 24 add, 1 div, 3 sqrt), 4 sin/cos, 3 atan2.
+ * @param[in] ctx what revolute_angles_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] p_R angle of hinge i: of the rod from the vertical, outward positive, for each
+ *     leg, rad (dish_3rps-p_R)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ *   UNREACHABLE: a rod has no length
+ */
+int dish_3rps_revolute_angles_step_f64(
+    const dish_3rps_revolute_angles_ctx_f64 *ctx, double alpha, double beta, double p_R[3]);
 
 /**
  * @brief Rotation and point of the facet on rods of the lengths given, by eight steps of
@@ -837,6 +2311,60 @@ int dish_3rps_revolute_angles_f64(
 int dish_3rps_forward_f64(
     const dish_3rps_params_f64 *p, const double l[3], const double guess[3], double H_R_M[9],
     double M[3]);
+
+/**
+ * @brief What forward_setup hands to forward_step: 18 numbers.
+ * Its fields may change from version to version.
+ * It holds dish_3rps-H_T_P.
+ */
+typedef struct {
+  double phi;
+  double m1;
+  double m2;
+  double d;
+  double m3;
+  double r_m;
+  double r_b;
+  double m4[3];
+  double m5;
+  double m6[3];
+  double cos_phi;
+  double sin_phi;
+  double H_T_P_p_x;
+  double H_T_P_p_y;
+} dish_3rps_forward_ctx_f64;
+
+/**
+ * @brief Set-up of forward: all of it that changes with the mount only.
+ *
+ * Cost: 19 flops (15 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what forward_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_forward_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_forward_ctx_f64 *ctx);
+
+/**
+ * @brief Step of forward. Rotation and point of the facet on rods of the lengths given, by eight
+ *     steps of Newton's method from a guess. OK means rods of these lengths: where the facet
+ *     stands nearly on edge, only a close guess tells which of two poses.
+ *
+ * Cost: 1788 flops (1022 mul, 747 add, 19 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * Inputs are read while results are written: they must not overlap.
+ * @param[in] ctx what forward_setup left, its status not negative
+ * @param[in] l length of rod i, for each leg, m, refused outside [0, 1000], working range [2, 4]
+ * @param[in] guess where the search starts: alpha and beta in rad and z_O in m, refused outside
+ *     [-1000, 1000], working range [0, 1.5]
+ * @param[out] H_R_M rotation of the facet on rods of the lengths given: its axes in {H}, 3 by 3,
+ *     row-major (dish_3rps-H_R_found)
+ * @param[out] M point of the facet on rods of the lengths given, {H}, m (dish_3rps-M_found)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_CONVERGED, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   NOT_CONVERGED: the search did not end on rods of these lengths
+ */
+int dish_3rps_forward_step_f64(
+    const dish_3rps_forward_ctx_f64 *ctx, const double l[3], const double guess[3],
+    double H_R_M[9], double M[3]);
 
 /**
  * @brief Forces of the three rods that hold the facet against its weight and a disturbance, push
@@ -870,6 +2398,75 @@ int dish_3rps_static_forces_f64(
     const double f_d[3], const double n_d[3], double g, double F_out[3]);
 
 /**
+ * @brief What static_forces_setup hands to static_forces_step: 22 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double phi;
+  double m1;
+  double m2;
+  double r_m;
+  double r_b;
+  double d;
+  double m3;
+  double z_O;
+  double m4;
+  double m5[3];
+  double m6[3];
+  double m7;
+  double cos_phi;
+  double sin_phi;
+  double m8;
+  double centre_x;
+  double centre_y;
+  double centre_z;
+} dish_3rps_static_forces_ctx_f64;
+
+/**
+ * @brief Set-up of static_forces: all of it that changes with the mount only.
+ *
+ * Cost: 21 flops (17 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[in] mass mass of the facet with its platform, kg, refused outside [0, 1e+06], working
+ *     range [0, 100]
+ * @param[in] centre centre of mass from the facet's point, facet axes, m, refused outside
+ *     [-1000, 1000], working range [-0.3, 0.3]
+ * @param[in] g acceleration of free fall, m/s^2, refused outside [0, 1000], working range [0,
+ *     10]
+ * @param[out] ctx what static_forces_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_static_forces_setup_f64(
+    const dish_3rps_params_f64 *p, double mass, const double centre[3], double g,
+    dish_3rps_static_forces_ctx_f64 *ctx);
+
+/**
+ * @brief Step of static_forces. Forces of the three rods that hold the facet against its weight
+ *     and a disturbance, push positive.
+ *
+ * Cost: 329 flops (208 mul, 112 add, 6 div, 3 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what static_forces_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[in] f_d disturbing force on the facet at its point, such as wind, N, refused outside
+ *     [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the facet about its point, N*m, refused outside [-1e+06,
+ *     1e+06], working range [-200, 200]
+ * @param[out] F_out force of each rod on the facet, push positive, N (dish_3rps-F_rod)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
+ *     ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ *   UNREACHABLE: a rod has no length
+ *   SINGULAR: the rods do not hold the facet: their forces are given as 0
+ */
+int dish_3rps_static_forces_step_f64(
+    const dish_3rps_static_forces_ctx_f64 *ctx, double alpha, double beta, const double f_d[3],
+    const double n_d[3], double F_out[3]);
+
+/**
  * @brief How far the central ray passes the focus when the facet has the dish's normal.
  *
  * Cost: 87 flops (50 mul, 31 add, 4 div, 2 sqrt), 4 sin/cos, 1 atan2.
@@ -886,6 +2483,53 @@ int dish_3rps_static_forces_f64(
  */
 int dish_3rps_central_ray_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double *miss, double *miss_angle);
+
+/**
+ * @brief What central_ray_setup hands to central_ray_step: 8 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double phi;
+  double m1;
+  double m2;
+  double r_m;
+  double d;
+  double m3;
+  double z_O;
+  double f;
+} dish_3rps_central_ray_ctx_f64;
+
+/**
+ * @brief Set-up of central_ray: all of it that changes with the mount only.
+ *
+ * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: r_b, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what central_ray_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_central_ray_setup_f64(
+    const dish_3rps_params_f64 *p, dish_3rps_central_ray_ctx_f64 *ctx);
+
+/**
+ * @brief Step of central_ray. How far the central ray passes the focus when the facet has the
+ *     dish's normal.
+ *
+ * Cost: 77 flops (44 mul, 30 add, 2 div, 1 sqrt), 4 sin/cos, 1 atan2.
+ * @param[in] ctx what central_ray_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] miss distance by which the central ray passes the focus, m (dish_3rps-miss)
+ * @param[out] miss_angle angle between the central ray and the way to the focus, in [0, pi], rad
+ *     (dish_3rps-miss_angle)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ */
+int dish_3rps_central_ray_step_f64(
+    const dish_3rps_central_ray_ctx_f64 *ctx, double alpha, double beta, double *miss,
+    double *miss_angle);
 
 /**
  * @brief Rotation, point and rods of a facet whose normal halves the angle between sun and
@@ -910,6 +2554,64 @@ int dish_3rps_central_ray_f64(
 int dish_3rps_aim_at_receiver_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double H_R_M[9], double M[3],
     double l[3]);
+
+/**
+ * @brief What aim_at_receiver_setup hands to aim_at_receiver_step: 14 numbers.
+ * Its fields may change from version to version.
+ * It holds dish_3rps-H_T_P.
+ */
+typedef struct {
+  double phi;
+  double m1;
+  double m2;
+  double f;
+  double d;
+  double z_O;
+  double r_m;
+  double m3;
+  double m4;
+  double cos_phi;
+  double sin_phi;
+  double H_T_P_p_x;
+  double H_T_P_p_y;
+  double r_b;
+} dish_3rps_aim_at_receiver_ctx_f64;
+
+/**
+ * @brief Set-up of aim_at_receiver: all of it that changes with the mount only.
+ *
+ * Cost: 13 flops (9 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
+ * @param[out] ctx what aim_at_receiver_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int dish_3rps_aim_at_receiver_setup_f64(
+    const dish_3rps_params_f64 *p, dish_3rps_aim_at_receiver_ctx_f64 *ctx);
+
+/**
+ * @brief Step of aim_at_receiver. Rotation, point and rods of a facet whose normal halves the
+ *     angle between sun and receiver, by five steps of Newton's method.
+ *
+ * Cost: 721 flops (408 mul, 275 add, 23 div, 15 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what aim_at_receiver_setup left, its status not negative
+ * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
+ *     working range [0, 1.4]
+ * @param[out] H_R_M rotation of a facet that aims at the receiver: its axes in {H}, 3 by 3,
+ *     row-major (dish_3rps-H_R_aimed)
+ * @param[out] M point of a facet that aims at the receiver, {H}, m (dish_3rps-M_aimed)
+ * @param[out] l length of rod i of a facet that aims at the receiver, for each leg, m
+ *     (dish_3rps-l_aimed)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_CONVERGED, ARMILLARY_NOT_FINITE,
+ *     ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the facet hangs face down
+ *   NOT_CONVERGED: the normal that was found is not the bisector
+ */
+int dish_3rps_aim_at_receiver_step_f64(
+    const dish_3rps_aim_at_receiver_ctx_f64 *ctx, double alpha, double beta, double H_R_M[9],
+    double M[3], double l[3]);
 
 /** State of the rod control, kept from call to call. */
 typedef struct {

@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_EQUATORIAL_ABI 0x886c23d6UL
+#define ARMILLARY_EQUATORIAL_ABI 0x8844726aUL
 
 #ifdef __cplusplus
 extern "C" {
@@ -49,6 +49,43 @@ typedef struct {
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int equatorial_pose_f32(const equatorial_params_f32 *p, float incl, float epsilon, float M[16]);
+
+/**
+ * @brief What pose_setup hands to pose_step: 3 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float L_2;
+  float L_1;
+  float L_0;
+} equatorial_pose_ctx_f32;
+
+/**
+ * @brief Set-up of pose: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters
+ * @param[out] ctx what pose_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int equatorial_pose_setup_f32(const equatorial_params_f32 *p, equatorial_pose_ctx_f32 *ctx);
+
+/**
+ * @brief Step of pose. Pose of the collector.
+ *
+ * Cost: 13 flops (10 mul, 3 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what pose_setup left, its status not negative
+ * @param[in] incl tilt of the cradle, leaning north, rad, refused outside [-1000, 1000], working
+ *     range [-3.2, 3.2]
+ * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
+ *     refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
+ *     rotation beside the position of its origin in m, 4 by 4, row-major (equatorial-M)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int equatorial_pose_step_f32(
+    const equatorial_pose_ctx_f32 *ctx, float incl, float epsilon, float M[16]);
 
 /**
  * @brief Motion of the collector while the drives run.
@@ -82,6 +119,59 @@ int equatorial_velocity_f32(
     float V_space[16]);
 
 /**
+ * @brief What velocity_setup hands to velocity_step: 3 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float L_2;
+  float L_1;
+  float L_0;
+} equatorial_velocity_ctx_f32;
+
+/**
+ * @brief Set-up of velocity: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters
+ * @param[out] ctx what velocity_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int equatorial_velocity_setup_f32(
+    const equatorial_params_f32 *p, equatorial_velocity_ctx_f32 *ctx);
+
+/**
+ * @brief Step of velocity. Motion of the collector while the drives run.
+ *
+ * Cost: 22 flops (18 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what velocity_setup left, its status not negative
+ * @param[in] incl tilt of the cradle, leaning north, rad, refused outside [-1000, 1000], working
+ *     range [-3.2, 3.2]
+ * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
+ *     refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] incl_dot rate of incl, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
+ *     1]
+ * @param[in] epsilon_dot rate of epsilon, rad/s, refused outside [-1e+06, 1e+06], working range
+ *     [-1, 1]
+ * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
+ *     (equatorial-Omega_space)
+ * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
+ *     (equatorial-Omega_body)
+ * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
+ *     (equatorial-v_origin)
+ * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
+ *     m/s (equatorial-v_spatial)
+ * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
+ *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
+ *     (equatorial-V_space)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int equatorial_velocity_step_f32(
+    const equatorial_velocity_ctx_f32 *ctx, float incl, float epsilon, float incl_dot,
+    float epsilon_dot, float Omega_space[3], float Omega_body[3], float v_origin[3],
+    float v_spatial[3], float V_space[16]);
+
+/**
  * @brief Motion of the collector per unit speed of each drive.
  *
  * Cost: 10 flops (8 mul, 2 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
@@ -97,6 +187,44 @@ int equatorial_velocity_f32(
  */
 int equatorial_jacobian_f32(
     const equatorial_params_f32 *p, float incl, float epsilon, float J[12]);
+
+/**
+ * @brief What jacobian_setup hands to jacobian_step: 2 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float L_2;
+  float L_1;
+} equatorial_jacobian_ctx_f32;
+
+/**
+ * @brief Set-up of jacobian: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: L_0
+ * @param[out] ctx what jacobian_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int equatorial_jacobian_setup_f32(
+    const equatorial_params_f32 *p, equatorial_jacobian_ctx_f32 *ctx);
+
+/**
+ * @brief Step of jacobian. Motion of the collector per unit speed of each drive.
+ *
+ * Cost: 10 flops (8 mul, 2 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what jacobian_setup left, its status not negative
+ * @param[in] incl tilt of the cradle, leaning north, rad, refused outside [-1000, 1000], working
+ *     range [-3.2, 3.2]
+ * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
+ *     refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
+ *     its origin, m per unit of drive, over three for its angular velocity; columns incl,
+ *     epsilon, 6 by 2, row-major (equatorial-J)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int equatorial_jacobian_step_f32(
+    const equatorial_jacobian_ctx_f32 *ctx, float incl, float epsilon, float J[12]);
 
 /**
  * @brief Drive angles that put the collector's second axis on the sun, on the branch
@@ -143,6 +271,43 @@ typedef struct {
 int equatorial_pose_f64(const equatorial_params_f64 *p, double incl, double epsilon, double M[16]);
 
 /**
+ * @brief What pose_setup hands to pose_step: 3 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double L_2;
+  double L_1;
+  double L_0;
+} equatorial_pose_ctx_f64;
+
+/**
+ * @brief Set-up of pose: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters
+ * @param[out] ctx what pose_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int equatorial_pose_setup_f64(const equatorial_params_f64 *p, equatorial_pose_ctx_f64 *ctx);
+
+/**
+ * @brief Step of pose. Pose of the collector.
+ *
+ * Cost: 13 flops (10 mul, 3 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what pose_setup left, its status not negative
+ * @param[in] incl tilt of the cradle, leaning north, rad, refused outside [-1000, 1000], working
+ *     range [-3.2, 3.2]
+ * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
+ *     refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
+ *     rotation beside the position of its origin in m, 4 by 4, row-major (equatorial-M)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int equatorial_pose_step_f64(
+    const equatorial_pose_ctx_f64 *ctx, double incl, double epsilon, double M[16]);
+
+/**
  * @brief Motion of the collector while the drives run.
  *
  * Cost: 22 flops (18 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
@@ -174,6 +339,59 @@ int equatorial_velocity_f64(
     double v_spatial[3], double V_space[16]);
 
 /**
+ * @brief What velocity_setup hands to velocity_step: 3 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double L_2;
+  double L_1;
+  double L_0;
+} equatorial_velocity_ctx_f64;
+
+/**
+ * @brief Set-up of velocity: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters
+ * @param[out] ctx what velocity_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int equatorial_velocity_setup_f64(
+    const equatorial_params_f64 *p, equatorial_velocity_ctx_f64 *ctx);
+
+/**
+ * @brief Step of velocity. Motion of the collector while the drives run.
+ *
+ * Cost: 22 flops (18 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what velocity_setup left, its status not negative
+ * @param[in] incl tilt of the cradle, leaning north, rad, refused outside [-1000, 1000], working
+ *     range [-3.2, 3.2]
+ * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
+ *     refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] incl_dot rate of incl, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
+ *     1]
+ * @param[in] epsilon_dot rate of epsilon, rad/s, refused outside [-1e+06, 1e+06], working range
+ *     [-1, 1]
+ * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
+ *     (equatorial-Omega_space)
+ * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
+ *     (equatorial-Omega_body)
+ * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
+ *     (equatorial-v_origin)
+ * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
+ *     m/s (equatorial-v_spatial)
+ * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
+ *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
+ *     (equatorial-V_space)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int equatorial_velocity_step_f64(
+    const equatorial_velocity_ctx_f64 *ctx, double incl, double epsilon, double incl_dot,
+    double epsilon_dot, double Omega_space[3], double Omega_body[3], double v_origin[3],
+    double v_spatial[3], double V_space[16]);
+
+/**
  * @brief Motion of the collector per unit speed of each drive.
  *
  * Cost: 10 flops (8 mul, 2 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
@@ -189,6 +407,44 @@ int equatorial_velocity_f64(
  */
 int equatorial_jacobian_f64(
     const equatorial_params_f64 *p, double incl, double epsilon, double J[12]);
+
+/**
+ * @brief What jacobian_setup hands to jacobian_step: 2 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double L_2;
+  double L_1;
+} equatorial_jacobian_ctx_f64;
+
+/**
+ * @brief Set-up of jacobian: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: L_0
+ * @param[out] ctx what jacobian_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int equatorial_jacobian_setup_f64(
+    const equatorial_params_f64 *p, equatorial_jacobian_ctx_f64 *ctx);
+
+/**
+ * @brief Step of jacobian. Motion of the collector per unit speed of each drive.
+ *
+ * Cost: 10 flops (8 mul, 2 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what jacobian_setup left, its status not negative
+ * @param[in] incl tilt of the cradle, leaning north, rad, refused outside [-1000, 1000], working
+ *     range [-3.2, 3.2]
+ * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
+ *     refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
+ *     its origin, m per unit of drive, over three for its angular velocity; columns incl,
+ *     epsilon, 6 by 2, row-major (equatorial-J)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int equatorial_jacobian_step_f64(
+    const equatorial_jacobian_ctx_f64 *ctx, double incl, double epsilon, double J[12]);
 
 /**
  * @brief Drive angles that put the collector's second axis on the sun, on the branch

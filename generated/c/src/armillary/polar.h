@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_POLAR_ABI 0x60242065UL
+#define ARMILLARY_POLAR_ABI 0xb7533d8eUL
 
 #ifdef __cplusplus
 extern "C" {
@@ -53,6 +53,43 @@ typedef struct {
 int polar_pose_f32(const polar_params_f32 *p, float epsilon, float D, float M[16]);
 
 /**
+ * @brief What pose_setup hands to pose_step: 5 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float cos_incl;
+  float sin_incl;
+  float L_2;
+  float m1;
+  float m2;
+} polar_pose_ctx_f32;
+
+/**
+ * @brief Set-up of pose: all of it that changes with the mount only.
+ *
+ * Cost: 3 flops (2 mul, 1 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters
+ * @param[out] ctx what pose_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int polar_pose_setup_f32(const polar_params_f32 *p, polar_pose_ctx_f32 *ctx);
+
+/**
+ * @brief Step of pose. Pose of the collector.
+ *
+ * Cost: 23 flops (17 mul, 6 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what pose_setup left, its status not negative
+ * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
+ *     rotation beside the position of its origin in m, 4 by 4, row-major (polar-M)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int polar_pose_step_f32(const polar_pose_ctx_f32 *ctx, float epsilon, float D, float M[16]);
+
+/**
  * @brief Motion of the collector while the drives run.
  *
  * Cost: 36 flops (28 mul, 8 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
@@ -82,6 +119,58 @@ int polar_velocity_f32(
     float V_space[16]);
 
 /**
+ * @brief What velocity_setup hands to velocity_step: 5 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float cos_incl;
+  float sin_incl;
+  float L_2;
+  float L_0;
+  float L_1;
+} polar_velocity_ctx_f32;
+
+/**
+ * @brief Set-up of velocity: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters
+ * @param[out] ctx what velocity_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int polar_velocity_setup_f32(const polar_params_f32 *p, polar_velocity_ctx_f32 *ctx);
+
+/**
+ * @brief Step of velocity. Motion of the collector while the drives run.
+ *
+ * Cost: 36 flops (28 mul, 8 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what velocity_setup left, its status not negative
+ * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] epsilon_dot rate of epsilon, rad/s, refused outside [-1e+06, 1e+06], working range
+ *     [-1, 1]
+ * @param[in] D_dot rate of D, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
+ * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
+ *     (polar-Omega_space)
+ * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
+ *     (polar-Omega_body)
+ * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
+ *     (polar-v_origin)
+ * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
+ *     m/s (polar-v_spatial)
+ * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
+ *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
+ *     (polar-V_space)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int polar_velocity_step_f32(
+    const polar_velocity_ctx_f32 *ctx, float epsilon, float D, float epsilon_dot, float D_dot,
+    float Omega_space[3], float Omega_body[3], float v_origin[3], float v_spatial[3],
+    float V_space[16]);
+
+/**
  * @brief Motion of the collector per unit speed of each drive.
  *
  * Cost: 16 flops (14 mul, 2 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
@@ -97,6 +186,43 @@ int polar_velocity_f32(
 int polar_jacobian_f32(const polar_params_f32 *p, float epsilon, float D, float J[12]);
 
 /**
+ * @brief What jacobian_setup hands to jacobian_step: 3 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float L_2;
+  float cos_incl;
+  float sin_incl;
+} polar_jacobian_ctx_f32;
+
+/**
+ * @brief Set-up of jacobian: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: L_0, L_1
+ * @param[out] ctx what jacobian_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int polar_jacobian_setup_f32(const polar_params_f32 *p, polar_jacobian_ctx_f32 *ctx);
+
+/**
+ * @brief Step of jacobian. Motion of the collector per unit speed of each drive.
+ *
+ * Cost: 16 flops (14 mul, 2 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what jacobian_setup left, its status not negative
+ * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
+ *     its origin, m per unit of drive, over three for its angular velocity; columns epsilon, D,
+ *     6 by 2, row-major (polar-J)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int polar_jacobian_step_f32(
+    const polar_jacobian_ctx_f32 *ctx, float epsilon, float D, float J[12]);
+
+/**
  * @brief Drive angles that put the collector's second axis on the sun, on the branch cos(D) >=
  *     0.
  *
@@ -110,6 +236,41 @@ int polar_jacobian_f32(const polar_params_f32 *p, float epsilon, float D, float 
  *   SINGULAR: the sun is on the polar axis: the hour drive is free
  */
 int polar_aim_f32(const polar_params_f32 *p, const float enu[3], float *epsilon, float *D);
+
+/**
+ * @brief What aim_setup hands to aim_step: 2 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float cos_incl;
+  float sin_incl;
+} polar_aim_ctx_f32;
+
+/**
+ * @brief Set-up of aim: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: L_0, L_1, L_2
+ * @param[out] ctx what aim_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int polar_aim_setup_f32(const polar_params_f32 *p, polar_aim_ctx_f32 *ctx);
+
+/**
+ * @brief Step of aim. Drive angles that put the collector's second axis on the sun, on the
+ *     branch cos(D) >= 0.
+ *
+ * Cost: 10 flops (6 mul, 3 add, 0 div, 1 sqrt), 0 sin/cos, 2 atan2.
+ * @param[in] ctx what aim_setup left, its status not negative
+ * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
+ *     than 1e-3
+ * @param[out] epsilon hour drive that faces the sun, rad (polar-epsilon_aim)
+ * @param[out] D declination drive that faces the sun, in [-pi/2, pi/2], rad (polar-D_aim)
+ * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   SINGULAR: the sun is on the polar axis: the hour drive is free
+ */
+int polar_aim_step_f32(const polar_aim_ctx_f32 *ctx, const float enu[3], float *epsilon, float *D);
 
 /**
  * @brief Fixed tilt and drive angles of a mount at a latitude, straight from the sun's own
@@ -133,6 +294,48 @@ int polar_aim_f32(const polar_params_f32 *p, const float enu[3], float *epsilon,
 int polar_setting_f32(
     const polar_params_f32 *p, float latitude, float declination, float hour_angle,
     float *incl_out, float *epsilon, float *D);
+
+/**
+ * @brief What setting_setup hands to setting_step: 1 number.
+ * Its fields may change from version to version.
+ * It holds polar-incl_set.
+ */
+typedef struct {
+  float incl_set;
+} polar_setting_ctx_f32;
+
+/**
+ * @brief Set-up of setting: all of it that changes with the mount only.
+ *
+ * Cost: 1 flops (0 mul, 1 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; none of them is read
+ * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
+ *     working range [-1.5708, 1.5708]
+ * @param[out] ctx what setting_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int polar_setting_setup_f32(const polar_params_f32 *p, float latitude, polar_setting_ctx_f32 *ctx);
+
+/**
+ * @brief Step of setting. Fixed tilt and drive angles of a mount at a latitude, straight from
+ *     the sun's own angles.
+ *
+ * Cost: 1 flops (0 mul, 1 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
+ * @param[in] ctx what setting_setup left, its status not negative
+ * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
+ *     1000], working range [-0.4102, 0.4102]
+ * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[out] incl fixed tilt that lays the hour axis along the earth's axis (polar-incl_set)
+ * @param[out] epsilon hour drive that follows the hour angle, in [-pi, pi], rad
+ *     (polar-epsilon_set)
+ * @param[out] D declination drive that follows the declination, rad (polar-D_set)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int polar_setting_step_f32(
+    const polar_setting_ctx_f32 *ctx, float declination, float hour_angle, float *incl,
+    float *epsilon, float *D);
 
 #if DBL_MANT_DIG >= 53
 
@@ -165,6 +368,43 @@ typedef struct {
 int polar_pose_f64(const polar_params_f64 *p, double epsilon, double D, double M[16]);
 
 /**
+ * @brief What pose_setup hands to pose_step: 5 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double cos_incl;
+  double sin_incl;
+  double L_2;
+  double m1;
+  double m2;
+} polar_pose_ctx_f64;
+
+/**
+ * @brief Set-up of pose: all of it that changes with the mount only.
+ *
+ * Cost: 3 flops (2 mul, 1 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters
+ * @param[out] ctx what pose_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int polar_pose_setup_f64(const polar_params_f64 *p, polar_pose_ctx_f64 *ctx);
+
+/**
+ * @brief Step of pose. Pose of the collector.
+ *
+ * Cost: 23 flops (17 mul, 6 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what pose_setup left, its status not negative
+ * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
+ *     rotation beside the position of its origin in m, 4 by 4, row-major (polar-M)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int polar_pose_step_f64(const polar_pose_ctx_f64 *ctx, double epsilon, double D, double M[16]);
+
+/**
  * @brief Motion of the collector while the drives run.
  *
  * Cost: 36 flops (28 mul, 8 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
@@ -194,6 +434,58 @@ int polar_velocity_f64(
     double V_space[16]);
 
 /**
+ * @brief What velocity_setup hands to velocity_step: 5 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double cos_incl;
+  double sin_incl;
+  double L_2;
+  double L_0;
+  double L_1;
+} polar_velocity_ctx_f64;
+
+/**
+ * @brief Set-up of velocity: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters
+ * @param[out] ctx what velocity_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int polar_velocity_setup_f64(const polar_params_f64 *p, polar_velocity_ctx_f64 *ctx);
+
+/**
+ * @brief Step of velocity. Motion of the collector while the drives run.
+ *
+ * Cost: 36 flops (28 mul, 8 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what velocity_setup left, its status not negative
+ * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] epsilon_dot rate of epsilon, rad/s, refused outside [-1e+06, 1e+06], working range
+ *     [-1, 1]
+ * @param[in] D_dot rate of D, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
+ * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
+ *     (polar-Omega_space)
+ * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
+ *     (polar-Omega_body)
+ * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
+ *     (polar-v_origin)
+ * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
+ *     m/s (polar-v_spatial)
+ * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
+ *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
+ *     (polar-V_space)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int polar_velocity_step_f64(
+    const polar_velocity_ctx_f64 *ctx, double epsilon, double D, double epsilon_dot, double D_dot,
+    double Omega_space[3], double Omega_body[3], double v_origin[3], double v_spatial[3],
+    double V_space[16]);
+
+/**
  * @brief Motion of the collector per unit speed of each drive.
  *
  * Cost: 16 flops (14 mul, 2 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
@@ -209,6 +501,43 @@ int polar_velocity_f64(
 int polar_jacobian_f64(const polar_params_f64 *p, double epsilon, double D, double J[12]);
 
 /**
+ * @brief What jacobian_setup hands to jacobian_step: 3 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double L_2;
+  double cos_incl;
+  double sin_incl;
+} polar_jacobian_ctx_f64;
+
+/**
+ * @brief Set-up of jacobian: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: L_0, L_1
+ * @param[out] ctx what jacobian_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int polar_jacobian_setup_f64(const polar_params_f64 *p, polar_jacobian_ctx_f64 *ctx);
+
+/**
+ * @brief Step of jacobian. Motion of the collector per unit speed of each drive.
+ *
+ * Cost: 16 flops (14 mul, 2 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what jacobian_setup left, its status not negative
+ * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
+ *     outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
+ *     its origin, m per unit of drive, over three for its angular velocity; columns epsilon, D,
+ *     6 by 2, row-major (polar-J)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int polar_jacobian_step_f64(
+    const polar_jacobian_ctx_f64 *ctx, double epsilon, double D, double J[12]);
+
+/**
  * @brief Drive angles that put the collector's second axis on the sun, on the branch cos(D) >=
  *     0.
  *
@@ -222,6 +551,42 @@ int polar_jacobian_f64(const polar_params_f64 *p, double epsilon, double D, doub
  *   SINGULAR: the sun is on the polar axis: the hour drive is free
  */
 int polar_aim_f64(const polar_params_f64 *p, const double enu[3], double *epsilon, double *D);
+
+/**
+ * @brief What aim_setup hands to aim_step: 2 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double cos_incl;
+  double sin_incl;
+} polar_aim_ctx_f64;
+
+/**
+ * @brief Set-up of aim: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; not read: L_0, L_1, L_2
+ * @param[out] ctx what aim_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int polar_aim_setup_f64(const polar_params_f64 *p, polar_aim_ctx_f64 *ctx);
+
+/**
+ * @brief Step of aim. Drive angles that put the collector's second axis on the sun, on the
+ *     branch cos(D) >= 0.
+ *
+ * Cost: 10 flops (6 mul, 3 add, 0 div, 1 sqrt), 0 sin/cos, 2 atan2.
+ * @param[in] ctx what aim_setup left, its status not negative
+ * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
+ *     than 1e-3
+ * @param[out] epsilon hour drive that faces the sun, rad (polar-epsilon_aim)
+ * @param[out] D declination drive that faces the sun, in [-pi/2, pi/2], rad (polar-D_aim)
+ * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   SINGULAR: the sun is on the polar axis: the hour drive is free
+ */
+int polar_aim_step_f64(
+    const polar_aim_ctx_f64 *ctx, const double enu[3], double *epsilon, double *D);
 
 /**
  * @brief Fixed tilt and drive angles of a mount at a latitude, straight from the sun's own
@@ -245,6 +610,49 @@ int polar_aim_f64(const polar_params_f64 *p, const double enu[3], double *epsilo
 int polar_setting_f64(
     const polar_params_f64 *p, double latitude, double declination, double hour_angle,
     double *incl_out, double *epsilon, double *D);
+
+/**
+ * @brief What setting_setup hands to setting_step: 1 number.
+ * Its fields may change from version to version.
+ * It holds polar-incl_set.
+ */
+typedef struct {
+  double incl_set;
+} polar_setting_ctx_f64;
+
+/**
+ * @brief Set-up of setting: all of it that changes with the mount only.
+ *
+ * Cost: 1 flops (0 mul, 1 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] p parameters; none of them is read
+ * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
+ *     working range [-1.5708, 1.5708]
+ * @param[out] ctx what setting_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int polar_setting_setup_f64(
+    const polar_params_f64 *p, double latitude, polar_setting_ctx_f64 *ctx);
+
+/**
+ * @brief Step of setting. Fixed tilt and drive angles of a mount at a latitude, straight from
+ *     the sun's own angles.
+ *
+ * Cost: 1 flops (0 mul, 1 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
+ * @param[in] ctx what setting_setup left, its status not negative
+ * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
+ *     1000], working range [-0.4102, 0.4102]
+ * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[out] incl fixed tilt that lays the hour axis along the earth's axis (polar-incl_set)
+ * @param[out] epsilon hour drive that follows the hour angle, in [-pi, pi], rad
+ *     (polar-epsilon_set)
+ * @param[out] D declination drive that follows the declination, rad (polar-D_set)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int polar_setting_step_f64(
+    const polar_setting_ctx_f64 *ctx, double declination, double hour_angle, double *incl,
+    double *epsilon, double *D);
 
 #endif
 

@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_SUN_ABI 0x234b9b37UL
+#define ARMILLARY_SUN_ABI 0x2aea25c1UL
 
 #ifdef __cplusplus
 extern "C" {
@@ -40,6 +40,42 @@ extern "C" {
 int sun_direction_f32(float latitude, float declination, float hour_angle, float enu[3]);
 
 /**
+ * @brief What direction_setup hands to direction_step: 2 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float cos_latitude;
+  float sin_latitude;
+} sun_direction_ctx_f32;
+
+/**
+ * @brief Set-up of direction: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
+ *     working range [-1.5708, 1.5708]
+ * @param[out] ctx what direction_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int sun_direction_setup_f32(float latitude, sun_direction_ctx_f32 *ctx);
+
+/**
+ * @brief Step of direction. Unit vector to the sun.
+ *
+ * Cost: 8 flops (6 mul, 2 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what direction_setup left, its status not negative
+ * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
+ *     1000], working range [-0.4102, 0.4102]
+ * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[out] enu unit vector to the sun (sun-enu)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int sun_direction_step_f32(
+    const sun_direction_ctx_f32 *ctx, float declination, float hour_angle, float enu[3]);
+
+/**
  * @brief Elevation, in [-pi/2, pi/2], and azimuth, in [0, 2 pi), of the sun.
  *
  * Cost: 13 flops (8 mul, 4 add, 0 div, 1 sqrt), 6 sin/cos, 2 atan2.
@@ -57,6 +93,46 @@ int sun_direction_f32(float latitude, float declination, float hour_angle, float
  */
 int sun_angles_f32(
     float latitude, float declination, float hour_angle, float *elevation, float *azimuth);
+
+/**
+ * @brief What angles_setup hands to angles_step: 2 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float cos_latitude;
+  float sin_latitude;
+} sun_angles_ctx_f32;
+
+/**
+ * @brief Set-up of angles: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
+ *     working range [-1.5708, 1.5708]
+ * @param[out] ctx what angles_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int sun_angles_setup_f32(float latitude, sun_angles_ctx_f32 *ctx);
+
+/**
+ * @brief Step of angles. Elevation, in [-pi/2, pi/2], and azimuth, in [0, 2 pi), of the sun.
+ *
+ * Cost: 13 flops (8 mul, 4 add, 0 div, 1 sqrt), 4 sin/cos, 2 atan2.
+ * @param[in] ctx what angles_setup left, its status not negative
+ * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
+ *     1000], working range [-0.4102, 0.4102]
+ * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[out] elevation elevation of the sun above the horizon, without refraction, rad
+ *     (sun-elevation_of_sun)
+ * @param[out] azimuth azimuth of the sun from north, clockwise, rad (sun-azimuth_of_sun)
+ * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: its azimuth is free
+ */
+int sun_angles_step_f32(
+    const sun_angles_ctx_f32 *ctx, float declination, float hour_angle, float *elevation,
+    float *azimuth);
 
 /**
  * @brief Rates of elevation and azimuth while the hour angle runs.
@@ -80,6 +156,47 @@ int sun_rates_f32(
     float *elevation_rate, float *azimuth_rate);
 
 /**
+ * @brief What rates_setup hands to rates_step: 2 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float cos_latitude;
+  float sin_latitude;
+} sun_rates_ctx_f32;
+
+/**
+ * @brief Set-up of rates: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
+ *     working range [-1.5708, 1.5708]
+ * @param[out] ctx what rates_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int sun_rates_setup_f32(float latitude, sun_rates_ctx_f32 *ctx);
+
+/**
+ * @brief Step of rates. Rates of elevation and azimuth while the hour angle runs.
+ *
+ * Cost: 20 flops (15 mul, 3 add, 1 div, 1 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what rates_setup left, its status not negative
+ * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
+ *     1000], working range [-0.4102, 0.4102]
+ * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] hour_angle_rate rate of the hour angle, rad/s, refused outside [-1e+06, 1e+06],
+ *     working range [-1, 1]
+ * @param[out] elevation_rate rate of the elevation, rad/s (sun-elevation_rate)
+ * @param[out] azimuth_rate rate of the azimuth, rad/s (sun-azimuth_rate)
+ * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: its azimuth is free
+ */
+int sun_rates_step_f32(
+    const sun_rates_ctx_f32 *ctx, float declination, float hour_angle, float hour_angle_rate,
+    float *elevation_rate, float *azimuth_rate);
+
+/**
  * @brief Hour angle of the sun from the clock, in [-pi, pi].
  *
  * Cost: 4 flops (1 mul, 3 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
@@ -93,6 +210,41 @@ int sun_rates_f32(
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int sun_hour_angle_f32(float utc, float longitude, float equation_of_time, float *hour_angle);
+
+/**
+ * @brief What hour_angle_setup hands to hour_angle_step: 1 number.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float longitude;
+} sun_hour_angle_ctx_f32;
+
+/**
+ * @brief Set-up of hour_angle: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] longitude longitude, positive east, rad, refused outside [-1000, 1000], working
+ *     range [-3.2, 3.2]
+ * @param[out] ctx what hour_angle_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int sun_hour_angle_setup_f32(float longitude, sun_hour_angle_ctx_f32 *ctx);
+
+/**
+ * @brief Step of hour_angle. Hour angle of the sun from the clock, in [-pi, pi].
+ *
+ * Cost: 4 flops (1 mul, 3 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
+ * @param[in] ctx what hour_angle_setup left, its status not negative
+ * @param[in] utc time of the day, UTC, s, refused outside [-1e+06, 1e+06], working range [0,
+ *     86400]
+ * @param[in] equation_of_time apparent minus mean solar time, s, refused outside [-1e+06,
+ *     1e+06], working range [-1000, 1000]
+ * @param[out] hour_angle hour angle from the clock, in [-pi, pi], rad (sun-hour_angle_of_clock)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int sun_hour_angle_step_f32(
+    const sun_hour_angle_ctx_f32 *ctx, float utc, float equation_of_time, float *hour_angle);
 
 /**
  * @brief Declination by Cooper's sine.
@@ -148,6 +300,44 @@ int sun_spencer_f32(float day, float *declination, float *equation_of_time);
 int sun_day_limits_f32(float latitude, float declination, float *rise, float *set);
 
 /**
+ * @brief What day_limits_setup hands to day_limits_step: 1 number.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  float latitude;
+} sun_day_limits_ctx_f32;
+
+/**
+ * @brief Set-up of day_limits: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
+ *     working range [-1.5708, 1.5708]
+ * @param[out] ctx what day_limits_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int sun_day_limits_setup_f32(float latitude, sun_day_limits_ctx_f32 *ctx);
+
+/**
+ * @brief Step of day_limits. Hour angles of the sun's centre on the unrefracted horizon. The day
+ *     runs from rise to set; past the pole rise is the larger, and the day runs through pi.
+ *
+ * Cost: 7 flops (2 mul, 4 add, 0 div, 1 sqrt), 2 sin/cos, 1 atan2.
+ * @param[in] ctx what day_limits_setup left, its status not negative
+ * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
+ *     1000], working range [-0.4102, 0.4102]
+ * @param[out] rise hour angle of sunrise, rad (sun-sunrise)
+ * @param[out] set hour angle of sunset, rad (sun-sunset)
+ * @return ARMILLARY_OK, ARMILLARY_BELOW_HORIZON, ARMILLARY_CLAMPED, ARMILLARY_NOT_FINITE,
+ *     ARMILLARY_OUT_OF_RANGE
+ *   BELOW_HORIZON: polar night: rise and set are both 0
+ *   CLAMPED: polar day: rise is -pi and set is pi
+ */
+int sun_day_limits_step_f32(
+    const sun_day_limits_ctx_f32 *ctx, float declination, float *rise, float *set);
+
+/**
  * @brief Elevation as seen through the air. Below -0.0145 rad the sun is left where it is: the
  *     refraction, 0.0108 rad there, ends with a jump.
  *
@@ -181,6 +371,42 @@ int sun_refraction_f32(float elevation, float pressure, float temperature, float
 int sun_direction_f64(double latitude, double declination, double hour_angle, double enu[3]);
 
 /**
+ * @brief What direction_setup hands to direction_step: 2 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double cos_latitude;
+  double sin_latitude;
+} sun_direction_ctx_f64;
+
+/**
+ * @brief Set-up of direction: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
+ *     working range [-1.5708, 1.5708]
+ * @param[out] ctx what direction_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int sun_direction_setup_f64(double latitude, sun_direction_ctx_f64 *ctx);
+
+/**
+ * @brief Step of direction. Unit vector to the sun.
+ *
+ * Cost: 8 flops (6 mul, 2 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what direction_setup left, its status not negative
+ * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
+ *     1000], working range [-0.4102, 0.4102]
+ * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[out] enu unit vector to the sun (sun-enu)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int sun_direction_step_f64(
+    const sun_direction_ctx_f64 *ctx, double declination, double hour_angle, double enu[3]);
+
+/**
  * @brief Elevation, in [-pi/2, pi/2], and azimuth, in [0, 2 pi), of the sun.
  *
  * Cost: 13 flops (8 mul, 4 add, 0 div, 1 sqrt), 6 sin/cos, 2 atan2.
@@ -198,6 +424,46 @@ int sun_direction_f64(double latitude, double declination, double hour_angle, do
  */
 int sun_angles_f64(
     double latitude, double declination, double hour_angle, double *elevation, double *azimuth);
+
+/**
+ * @brief What angles_setup hands to angles_step: 2 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double cos_latitude;
+  double sin_latitude;
+} sun_angles_ctx_f64;
+
+/**
+ * @brief Set-up of angles: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
+ *     working range [-1.5708, 1.5708]
+ * @param[out] ctx what angles_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int sun_angles_setup_f64(double latitude, sun_angles_ctx_f64 *ctx);
+
+/**
+ * @brief Step of angles. Elevation, in [-pi/2, pi/2], and azimuth, in [0, 2 pi), of the sun.
+ *
+ * Cost: 13 flops (8 mul, 4 add, 0 div, 1 sqrt), 4 sin/cos, 2 atan2.
+ * @param[in] ctx what angles_setup left, its status not negative
+ * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
+ *     1000], working range [-0.4102, 0.4102]
+ * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[out] elevation elevation of the sun above the horizon, without refraction, rad
+ *     (sun-elevation_of_sun)
+ * @param[out] azimuth azimuth of the sun from north, clockwise, rad (sun-azimuth_of_sun)
+ * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: its azimuth is free
+ */
+int sun_angles_step_f64(
+    const sun_angles_ctx_f64 *ctx, double declination, double hour_angle, double *elevation,
+    double *azimuth);
 
 /**
  * @brief Rates of elevation and azimuth while the hour angle runs.
@@ -221,6 +487,47 @@ int sun_rates_f64(
     double *elevation_rate, double *azimuth_rate);
 
 /**
+ * @brief What rates_setup hands to rates_step: 2 numbers.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double cos_latitude;
+  double sin_latitude;
+} sun_rates_ctx_f64;
+
+/**
+ * @brief Set-up of rates: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
+ *     working range [-1.5708, 1.5708]
+ * @param[out] ctx what rates_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int sun_rates_setup_f64(double latitude, sun_rates_ctx_f64 *ctx);
+
+/**
+ * @brief Step of rates. Rates of elevation and azimuth while the hour angle runs.
+ *
+ * Cost: 20 flops (15 mul, 3 add, 1 div, 1 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what rates_setup left, its status not negative
+ * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
+ *     1000], working range [-0.4102, 0.4102]
+ * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ * @param[in] hour_angle_rate rate of the hour angle, rad/s, refused outside [-1e+06, 1e+06],
+ *     working range [-1, 1]
+ * @param[out] elevation_rate rate of the elevation, rad/s (sun-elevation_rate)
+ * @param[out] azimuth_rate rate of the azimuth, rad/s (sun-azimuth_rate)
+ * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: its azimuth is free
+ */
+int sun_rates_step_f64(
+    const sun_rates_ctx_f64 *ctx, double declination, double hour_angle, double hour_angle_rate,
+    double *elevation_rate, double *azimuth_rate);
+
+/**
  * @brief Hour angle of the sun from the clock, in [-pi, pi].
  *
  * Cost: 4 flops (1 mul, 3 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
@@ -234,6 +541,41 @@ int sun_rates_f64(
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int sun_hour_angle_f64(double utc, double longitude, double equation_of_time, double *hour_angle);
+
+/**
+ * @brief What hour_angle_setup hands to hour_angle_step: 1 number.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double longitude;
+} sun_hour_angle_ctx_f64;
+
+/**
+ * @brief Set-up of hour_angle: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] longitude longitude, positive east, rad, refused outside [-1000, 1000], working
+ *     range [-3.2, 3.2]
+ * @param[out] ctx what hour_angle_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int sun_hour_angle_setup_f64(double longitude, sun_hour_angle_ctx_f64 *ctx);
+
+/**
+ * @brief Step of hour_angle. Hour angle of the sun from the clock, in [-pi, pi].
+ *
+ * Cost: 4 flops (1 mul, 3 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
+ * @param[in] ctx what hour_angle_setup left, its status not negative
+ * @param[in] utc time of the day, UTC, s, refused outside [-1e+06, 1e+06], working range [0,
+ *     86400]
+ * @param[in] equation_of_time apparent minus mean solar time, s, refused outside [-1e+06,
+ *     1e+06], working range [-1000, 1000]
+ * @param[out] hour_angle hour angle from the clock, in [-pi, pi], rad (sun-hour_angle_of_clock)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int sun_hour_angle_step_f64(
+    const sun_hour_angle_ctx_f64 *ctx, double utc, double equation_of_time, double *hour_angle);
 
 /**
  * @brief Declination by Cooper's sine.
@@ -287,6 +629,44 @@ int sun_spencer_f64(double day, double *declination, double *equation_of_time);
  *   CLAMPED: polar day: rise is -pi and set is pi
  */
 int sun_day_limits_f64(double latitude, double declination, double *rise, double *set);
+
+/**
+ * @brief What day_limits_setup hands to day_limits_step: 1 number.
+ * Its fields may change from version to version.
+ */
+typedef struct {
+  double latitude;
+} sun_day_limits_ctx_f64;
+
+/**
+ * @brief Set-up of day_limits: all of it that changes with the mount only.
+ *
+ * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed.
+ * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
+ *     working range [-1.5708, 1.5708]
+ * @param[out] ctx what day_limits_step reads; untouched where the status is negative
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ */
+int sun_day_limits_setup_f64(double latitude, sun_day_limits_ctx_f64 *ctx);
+
+/**
+ * @brief Step of day_limits. Hour angles of the sun's centre on the unrefracted horizon. The day
+ *     runs from rise to set; past the pole rise is the larger, and the day runs through pi.
+ *
+ * Cost: 7 flops (2 mul, 4 add, 0 div, 1 sqrt), 2 sin/cos, 1 atan2.
+ * @param[in] ctx what day_limits_setup left, its status not negative
+ * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
+ *     1000], working range [-0.4102, 0.4102]
+ * @param[out] rise hour angle of sunrise, rad (sun-sunrise)
+ * @param[out] set hour angle of sunset, rad (sun-sunset)
+ * @return ARMILLARY_OK, ARMILLARY_BELOW_HORIZON, ARMILLARY_CLAMPED, ARMILLARY_NOT_FINITE,
+ *     ARMILLARY_OUT_OF_RANGE
+ *   BELOW_HORIZON: polar night: rise and set are both 0
+ *   CLAMPED: polar day: rise is -pi and set is pi
+ */
+int sun_day_limits_step_f64(
+    const sun_day_limits_ctx_f64 *ctx, double declination, double *rise, double *set);
 
 /**
  * @brief Elevation as seen through the air. Below -0.0145 rad the sun is left where it is: the

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_SUN_ABI) || (ARMILLARY_SUN_ABI != 0x234b9b37UL)
+#if !defined(ARMILLARY_SUN_ABI) || (ARMILLARY_SUN_ABI != 0x2aea25c1UL)
 #error "sun.h is of another version than this file: copy both from one release"
 #endif
 
