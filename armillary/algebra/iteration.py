@@ -15,6 +15,8 @@ from armillary.algebra.misuse import MisuseError, told
 from armillary.algebra.scalar import Scalar, ScalarLike, Symbol, as_scalar
 
 LARGEST = 3
+# Slopes are squared twice in the determinant of normal equations: one over it must stay finite.
+LEAST = s.number("1e-30")
 Bounds = tuple[ScalarLike, ScalarLike]
 
 
@@ -82,7 +84,8 @@ def solve(
     else:
         rows, matrix = _least_squares(residuals, symbols, over)
     det = determinant(matrix)
-    regular = where(absolute(det) > s.ZERO, det, one_like(det))
+    least = s.ZERO if over is None else LEAST * one_like(det)
+    regular = where(absolute(det) > least, det, one_like(det))
     steps_taken = solved(matrix, rows, regular)
     bounds = within or {}
     following = tuple(

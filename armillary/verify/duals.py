@@ -105,12 +105,12 @@ def _not_covered(kernel: Kernel, output: Output) -> Skipped:
 
 
 def _primitive(record: Derivation, kernel: Kernel, output: Output) -> tuple[Kernel, Output] | None:
-    """The result that `output` is the rate of, and a kernel that returns it."""
+    """The result that `output` is the rate of, and a kernel that returns it: itself first."""
     name = _primitive_name(output.name)
     if name == output.name:
         return None
     given = {id(q) for q in kernel.inputs}
-    for base in record.kernels.values():
+    for base in (kernel, *record.kernels.values()):
         for candidate in base.outputs:
             fits = candidate.name == name and candidate.shape == output.shape
             if fits and all(id(q) in given for q in base.inputs) and _moves(kernel, base):

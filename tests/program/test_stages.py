@@ -53,7 +53,7 @@ def tree():
     d = Derivation("tree", title="Tree")
     leg = d.index("leg", 3)
     t, b = d.angle("t", "an angle"), d.vector("b", "of the mount", rate=Rate.MOUNT)
-    tilt, r = d.parameter.angle("tilt", "a tilt"), d.parameter.length("r", "an arm", per=leg)
+    tilt, r = d.parameter.angle("tilt", "a tilt"), d.parameter.scalar("r", "an arm", per=leg)
     foot = d.parameter.vector("foot", "a foot", per=leg)
     high = d.define("high", tilt > "0.5", because=BECAUSE)
     too_short = d.define("too_short", any_of(r < "0.1", over=leg), because=BECAUSE)

@@ -207,6 +207,26 @@ def test_any_change_of_layout_changes_the_version(tmp_path):
     assert abi(layouts[1]) == abi(layouts[1])
 
 
+def test_headers_tell_what_is_handed_over_and_what_each_stage_reads(printed):
+    flat = " ".join(texts(printed)["stress.h"].replace("\n *", " ").split())
+    assert "What carry_setup hands to carry_step: 3 numbers." in flat
+    assert "typedef struct { float S_t_x; float S_t_y; float S_t_z; } stress_carry_ctx_f32;" in flat
+    setup = "int stress_carry_setup_f64(const stress_params_f64 *p, stress_carry_ctx_f64 *ctx);"
+    assert setup in flat
+    step = "int stress_carry_step_f64( const stress_carry_ctx_f64 *ctx, double turn, "
+    assert f"{step}const double v[3], double w[3]);" in flat
+    assert "@param[out] ctx what carry_step reads; untouched where the status is negative" in flat
+
+
+def test_a_kernel_may_not_take_the_name_of_a_stage():
+    d = Derivation("clash", title="Clash")
+    x, a = d.scalar("x", "a number"), d.parameter.scalar("a", "a number")
+    d.kernel("wind", inputs=[x], outputs={"r": a * x})
+    d.kernel("wind_step", inputs=[x], outputs={"r": 2 * x})
+    with pytest.raises(DerivationError, match="stages of the kernel wind"):
+        render_system(d, TARGET)
+
+
 def test_golden(printed, golden):
     assert answers().name == "answers"
     files = (
@@ -217,6 +237,7 @@ def test_golden(printed, golden):
             "keepers.h",
             "keepers_array_update_f32.c",
         ),
+        *("loops.h", "loops_arms_step_f32.c"),
     )
     for name in files:
         golden(name, (printed.c / name).read_text("utf-8"))

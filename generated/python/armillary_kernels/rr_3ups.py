@@ -437,7 +437,7 @@ def forward(*, q, guess, r, phi, R, theta, h, h_0, zeta=None, t=None, s=None, m_
             t20 = t20 + (t22 * closure)
             t21 = t21 + (t23 * t23)
         t24 = (t21 * t17) - (t19 * t19)
-        t25 = 0.0 < xp.abs(t24)
+        t25 = 1.0e-30 < xp.abs(t24)
         t26 = call.select(t25, t24, 1.0)
         t27 = 1.0 / t26
         t28 = alpha_k - (((t19 * t20) - (t17 * t18)) * t27)

@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_RR_3UPS_ABI 0xdae4f798UL
+#define ARMILLARY_RR_3UPS_ABI 0x6004c6a0UL
 
 #ifdef __cplusplus
 extern "C" {

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0xdae4f798UL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x6004c6a0UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -123,7 +123,7 @@ int rr_3ups_forward_f32(
         t21 = t21 + (t23 * t23);
       }
       const float t24 = (t21 * t17) - (t19 * t19);
-      const int t25 = 0.0f < fabsf(t24);
+      const int t25 = 1.0e-30f < fabsf(t24);
       const float t26 = t25 ? t24 : 1.0f;
       const float t27 = 1.0f / t26;
       const float t28 = alpha_k - (((t19 * t20) - (t17 * t18)) * t27);

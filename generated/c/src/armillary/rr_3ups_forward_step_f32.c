@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0xdae4f798UL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x6004c6a0UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -147,7 +147,7 @@ int rr_3ups_forward_step_f32(
         t16 = t16 + (t18 * t18);
       }
       const float t19 = (t16 * t12) - (t14 * t14);
-      const int t20 = 0.0f < fabsf(t19);
+      const int t20 = 1.0e-30f < fabsf(t19);
       const float t21 = t20 ? t19 : 1.0f;
       const float t22 = 1.0f / t21;
       const float t23 = alpha_k - (((t14 * t15) - (t12 * t13)) * t22);

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0xdae4f798UL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x6004c6a0UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -149,7 +149,7 @@ int rr_3ups_forward_step_f64(
         t16 = t16 + (t18 * t18);
       }
       const double t19 = (t16 * t12) - (t14 * t14);
-      const int t20 = 0.0 < fabs(t19);
+      const int t20 = 1.0e-30 < fabs(t19);
       const double t21 = t20 ? t19 : 1.0;
       const double t22 = 1.0 / t21;
       const double t23 = alpha_k - (((t14 * t15) - (t12 * t13)) * t22);
