@@ -46,6 +46,7 @@ string strings tgmath threads time uchar unistd wchar wctype windows"""
 
 _RESERVED_FOR = {
     "quantity": dict.fromkeys(_WINDOWS.split(), "a macro of <windows.h>"),
+    "definition": dict.fromkeys(_WINDOWS.split(), "a macro of <windows.h>"),
     "result": dict.fromkeys(_WINDOWS.split(), "a macro of <windows.h>"),
     "kernel": dict.fromkeys(_OF_MODULES.split(), "used by the generated kernels themselves"),
     "derivation": dict.fromkeys(_HEADERS.split(), "the name of a C header"),

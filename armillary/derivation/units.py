@@ -84,6 +84,7 @@ _DERIVED = {
     "W": WATT.powers,
     "Pa": PASCAL.powers,
     "ohm": OHM.powers,
+    "N*m/A": (NEWTON_METRE / AMPERE).powers,
 }
 
 

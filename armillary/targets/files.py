@@ -129,8 +129,8 @@ def render_system(
 
 
 def _must_be_free(derivation: Derivation, kernel: Kernel) -> None:
-    """The two functions of a divided kernel need their names."""
-    for name in (f"{kernel.name}_setup", f"{kernel.name}_step"):
+    """The two functions of a divided kernel and what they share need their names."""
+    for name in (f"{kernel.name}_{of}" for of in ("setup", "step", "ctx")):
         if name in derivation.kernels:
             raise DerivationError(
                 f"{name} is what the stages of the kernel {kernel.name} are called",

@@ -53,11 +53,14 @@ derivation = d
 angles = [alpha, beta]
 rates = [alpha, beta, alpha_dot, beta_dot]
 loaded = [*STATE, *DISTURBANCE]
-NO_LEG = (Status.UNREACHABLE, no_leg, "a leg has no length")
+NO_LEG = (Status.UNREACHABLE, no_leg, "a leg is shorter than 1e-6 m")
 ALONG = (
     Status.UNREACHABLE,
     along_axis,
-    "a leg stands along the first axis of its universal joint, which cannot turn it every way",
+    (
+        "a leg stands along the first axis of its universal joint, within 1e-5: no rate of the joint "
+        "gives it every motion"
+    ),
 )
 MOVED = [NO_LEG, ALONG]
 MOVED_2 = [
@@ -67,12 +70,18 @@ MOVED_2 = [
 LOOSE = (
     Status.SINGULAR,
     loose,
-    "three drives do not hold the platform: their forces are given as 0",
+    (
+        "three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum of r^2: "
+        "forces are given as 0, so hold the axes"
+    ),
 )
 LOOSE_2 = (
     Status.SINGULAR,
     loose_2,
-    "two drives do not hold the platform: their forces are given as 0",
+    (
+        "two drives do not hold the platform, |det_2| is at most 1e-5 (r_1^2 + r_2^2): forces are "
+        "given as 0, so hold the axes"
+    ),
 )
 
 # ---- platform and legs ----
@@ -164,7 +173,8 @@ d.kernel(
     inputs=loaded,
     outputs={"tau": tau_2},
     cases=MOVED_2,
-    summary="The same where leg 3 is absent with its masses: its parameters are not felt.",
+    summary="The same where leg 3 is absent with its masses: its parameters must be legal, 0 "
+    "serves, and are not felt.",
 )
 d.kernel(
     "generalized_force_spin_free",
@@ -199,7 +209,8 @@ d.kernel(
     inputs=loaded,
     outputs={"F": F_2},
     cases=[*MOVED_2, LOOSE_2],
-    summary="Forces of the drives of legs 1 and 2 where leg 3 is absent with its masses.",
+    summary="Forces of the drives of legs 1 and 2 where leg 3 is absent with its masses: its "
+    "parameters must be legal, 0 serves, and are not felt.",
 )
 d.kernel(
     "internal_forces",

@@ -1,6 +1,7 @@
 """What it takes to move the platform and its legs: by virtual work, for all three legs or two."""
 
 from armillary import Body, Matrix, Wrench, X, Z, at, elementary, number, total, vector
+from armillary.derivation.units import NEWTON_METRE
 
 from .legs import length
 from .legs_in_motion import (
@@ -214,6 +215,7 @@ tau = d.define(
     because="One for each angle.",
     meaning="generalised force that the drives must give: moments about the axes of alpha and beta",
     printed="23",
+    unit=NEWTON_METRE,
     latex=r"\boldsymbol{\tau}",
 )
 tau_alpha_2, tau_beta_2 = (
@@ -231,6 +233,7 @@ tau_2 = d.define(
     Matrix(((tau_alpha_2, tau_beta_2),)),
     because="One for each angle.",
     meaning="generalised force that two drives must give where leg 3 is absent",
+    unit=NEWTON_METRE,
     latex=r"\boldsymbol{\tau}_2",
 )
 
@@ -245,5 +248,6 @@ tau_free = d.define(
     Matrix(((tau_alpha_free, tau_beta_free),)),
     because="One for each angle.",
     meaning="generalised force that the drives must give if legs do not spin",
+    unit=NEWTON_METRE,
     latex=r"\boldsymbol{\tau}_\mathrm{free}",
 )

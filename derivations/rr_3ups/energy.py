@@ -1,7 +1,7 @@
 """Power of the drives, what their motors lose, and the energy of what moves."""
 
 from armillary import PI, Body, Matrix, Rate, X, at, elementary, number, total, vector
-from armillary.derivation.units import AMPERE, METRE, NEWTON, NEWTON_METRE, OHM
+from armillary.derivation.units import AMPERE, METRE, NEWTON, NEWTON_METRE, OHM, WATT
 
 from .dynamics import I_leg, Omega_m
 from .forces import F_2, F_q
@@ -15,7 +15,7 @@ F_leg = d.scalar(
 )  # fmt: skip
 _MOTOR = {"rate": Rate.MOUNT}
 K_M = d.scalar(
-    "K_M", "torque constant of a motor", unit=NEWTON_METRE / AMPERE, limits=(1e-9, 1e6),
+    "K_M", "torque constant of a motor", unit=NEWTON_METRE / AMPERE, limits=(1e-4, 1e6),
     range=(0.01, 1.0), latex="K_M", **_MOTOR,
 )  # fmt: skip
 R_w = d.scalar(
@@ -23,7 +23,7 @@ R_w = d.scalar(
     latex="R_w", **_MOTOR,
 )  # fmt: skip
 lead = d.scalar(
-    "lead", "travel of a screw per turn", unit=METRE, limits=(0.0, 1e3), range=(0.001, 0.02),
+    "lead", "travel of a screw per turn", unit=METRE, limits=(0.0, 10.0), range=(0.001, 0.02),
     latex="d", **_MOTOR,
 )  # fmt: skip
 
@@ -40,6 +40,7 @@ P_2 = d.define(
     Matrix((tuple(F_2.rows[0][k] * at(q_dot, leg, k) for k in (0, 1)),)),
     because="Force times speed.",
     meaning="mechanical power of the two drives where leg 3 is absent",
+    unit=WATT,
     latex=r"\mathbf{P}_2",
 )
 torque = d.define(

@@ -137,6 +137,7 @@ F_2 = d.define(
     ),
     because="Two equations for two forces.",
     meaning="forces of the drives of legs 1 and 2 where leg 3 is absent; extending positive",
+    unit=NEWTON,
     latex=r"\mathbf{F}_2",
 )
 

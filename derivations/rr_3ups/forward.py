@@ -36,7 +36,7 @@ q_given = d.length(
 )
 guess = d.scalar(
     "guess",
-    "where the search starts: alpha, then beta",
+    "start of the search, alpha and then beta,",
     unit=RADIAN,
     range=(-1.5, 1.5),
     per=way,
@@ -193,6 +193,6 @@ d.kernel(
     drawn={q_given: q, guess: near(Matrix(((alpha, beta),)), by=0.1)},
     summary="Angles of the platform at three lengths, by eight steps of Gauss and Newton's method "
     "from a guess: those whose squared lengths are the least off, in the sum of squares. The "
-    "residual tells whether the lengths fit together. It is 0 for those of a platform that stands "
-    "still, or the search has ended at another minimum; near singular attitudes two may fit.",
+    "residual is 0 if the lengths fit together; if not, they contradict each other, or the search "
+    "has ended at another minimum. Near singular attitudes two attitudes may fit.",
 )

@@ -11,11 +11,12 @@ from armillary import (
     total,
     where,
 )
+from armillary.derivation.units import KILOGRAM, METRE, NEWTON_METRE
 
 from .dynamics import tau_alpha, tau_beta
 from .energy import F_leg
 from .legs import J_alpha, J_beta
-from .symbols import alpha_ddot, beta_ddot, d, leg
+from .symbols import alpha_ddot, beta_ddot, d, leg, mass_tolerance
 
 _HELD = {alpha_ddot: number(0), beta_ddot: number(0)}
 
@@ -34,11 +35,13 @@ def entry(of, by, letters, latex):
 M_aa = entry(tau_alpha, alpha_ddot, "aa", r"\alpha\alpha")
 M_ab = entry(tau_alpha, beta_ddot, "ab", r"\alpha\beta")
 M_bb = entry(tau_beta, beta_ddot, "bb", r"\beta\beta")
+d.identity("kinetic energy does not tell the two apart", M_ab, partial(tau_beta, alpha_ddot))
 mass_matrix = d.define(
     "mass_matrix",
     Matrix(((M_aa, M_ab), (M_ab, M_bb))),
     because="It is symmetric: kinetic energy is a quadratic form of the rates.",
     meaning="mass matrix of alpha and beta, legs included",
+    unit=KILOGRAM * METRE**2,
     latex="H",
 )
 
@@ -61,6 +64,7 @@ bias = d.define(
     Matrix(((bias_alpha, bias_beta),)),
     because="One for each angle.",
     meaning="generalised force at no acceleration",
+    unit=NEWTON_METRE,
     latex=r"\boldsymbol{\tau}_0",
 )
 
@@ -82,13 +86,13 @@ _rows = ((M_aa, M_ab), (M_ab, M_bb))
 det_M = d.define(
     "det_M",
     determinant(_rows),
-    because="Positive unless nothing has a mass.",
+    because="Positive unless some motion moves no mass.",
     meaning="determinant of the mass matrix",
     latex=r"\det H",
 )
 massless = d.define(
     "massless",
-    ~(det_M > number("1e-9") * (M_aa * M_bb)),
+    ~(det_M > mass_tolerance * (M_aa * M_bb)),
     because="An angle that nothing weighs takes any acceleration.",
     meaning="whether some motion of the two angles moves no mass",
 )

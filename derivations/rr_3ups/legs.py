@@ -18,6 +18,7 @@ from armillary import (
     vector,
     where,
 )
+from armillary.derivation.units import METRE, SECOND
 
 from .symbols import (
     R,
@@ -208,6 +209,7 @@ J = d.define(
     because="A row for each leg.",
     meaning="Jacobian from the rates of alpha and beta to those of the lengths, row i",
     printed="9",
+    unit=METRE,
     latex="J",
 )
 q_dot = d.define(
@@ -237,6 +239,7 @@ J_dot = d.define(
     Matrix((((E_a_dot - q_dot * J_alpha) / length, (E_b_dot - q_dot * J_beta) / length),)),
     because="q J = g; differentiate and divide.",
     meaning="rate of row i of the Jacobian",
+    unit=METRE / SECOND,
     latex=r"\dot{J}",
 )
 for _k, _entry in enumerate((J_alpha, J_beta)):

@@ -7,7 +7,7 @@ derivation = d = Derivation(
     "rr_3ups",
     title="Two-axis tracker on three legs",
     paper="yu",
-    summary="A platform hangs on two crossed axes at the top of a column: it turns about the "
+    summary="A platform stands on two crossed axes at the top of a column: it turns about the "
     "vertical, and tilts about a level axis that turns with it. Three legs of variable length "
     "drive it, one more than it needs. Each stands on a universal joint on the ground and ends in "
     "a spherical joint under the platform. The page derives how the legs move, what forces drive "
@@ -137,14 +137,15 @@ enu = d.unit_vector("enu", "unit vector to the sun", latex=r"\mathbf{c}")
 
 f_d = d.vector(
     "f_d",
-    "disturbing force on the platform at o, such as wind; the column takes it",
+    "disturbing force on the platform at o, which the column takes: it does no work. A force on "
+    "another point, such as wind, comes in by its moment about o, n_d",
     unit=NEWTON,
     range=(-500.0, 500.0),
     latex=r"\mathbf{f}_\mathrm{d}",
 )
 n_d = d.vector(
     "n_d",
-    "disturbing moment on the platform about o",
+    "disturbing moment on the platform about o, world axes",
     unit=NEWTON_METRE,
     range=(-200.0, 200.0),
     latex=r"\mathbf{n}_\mathrm{d}",
@@ -171,6 +172,12 @@ axis_tolerance = d.constant(
 hold_tolerance = d.constant(
     "hold_tolerance",
     "1e-5",
-    "part of the sum of r squared below which what the drives hold is taken as 0",
+    "part of the sum of r squared below which the area that the columns of J span is taken as 0",
     latex=r"\tau_h",
+)
+mass_tolerance = d.constant(
+    "mass_tolerance",
+    "1e-5",
+    "part of the product of its diagonal below which the determinant of the mass matrix is 0",
+    latex=r"\tau_H",
 )

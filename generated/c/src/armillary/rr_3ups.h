@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_RR_3UPS_ABI 0x6004c6a0UL
+#define ARMILLARY_RR_3UPS_ABI 0x7bddab03UL
 
 #ifdef __cplusplus
 extern "C" {
@@ -242,16 +242,15 @@ int rr_3ups_track_step_f32(
 /**
  * @brief Angles of the platform at three lengths, by eight steps of Gauss and Newton's method
  *     from a guess: those whose squared lengths are the least off, in the sum of squares. The
- *     residual tells whether the lengths fit together. It is 0 for those of a platform that
- *     stands still, or the search has ended at another minimum; near singular attitudes two may
- *     fit.
+ *     residual is 0 if the lengths fit together; if not, they contradict each other, or the
+ *     search has ended at another minimum. Near singular attitudes two attitudes may fit.
  *
  * Cost: 1090 flops (646 mul, 429 add, 8 div, 7 sqrt), 60 sin/cos, 4 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] q length of leg i, for each leg, m, refused outside [0, 1000], working range [0.2,
  *     1.5]
- * @param[in] guess where the search starts: alpha, then beta, for each way, rad, refused outside
+ * @param[in] guess start of the search, alpha and then beta,, for each way, rad, refused outside
  *     [-1000, 1000], working range [-1.5, 1.5]
  * @param[out] alpha turn of the platform at the lengths given, rad (rr_3ups-alpha_q)
  * @param[out] beta tilt of the platform at the lengths given, rad (rr_3ups-beta_q)
@@ -297,16 +296,16 @@ int rr_3ups_forward_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_forward_ctx_f
 /**
  * @brief Step of forward. Angles of the platform at three lengths, by eight steps of Gauss and
  *     Newton's method from a guess: those whose squared lengths are the least off, in the sum of
- *     squares. The residual tells whether the lengths fit together. It is 0 for those of a
- *     platform that stands still, or the search has ended at another minimum; near singular
- *     attitudes two may fit.
+ *     squares. The residual is 0 if the lengths fit together; if not, they contradict each
+ *     other, or the search has ended at another minimum. Near singular attitudes two attitudes
+ *     may fit.
  *
  * Cost: 1042 flops (616 mul, 411 add, 8 div, 7 sqrt), 48 sin/cos, 4 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] ctx what forward_setup left, its status not negative
  * @param[in] q length of leg i, for each leg, m, refused outside [0, 1000], working range [0.2,
  *     1.5]
- * @param[in] guess where the search starts: alpha, then beta, for each way, rad, refused outside
+ * @param[in] guess start of the search, alpha and then beta,, for each way, rad, refused outside
  *     [-1000, 1000], working range [-1.5, 1.5]
  * @param[out] alpha turn of the platform at the lengths given, rad (rr_3ups-alpha_q)
  * @param[out] beta tilt of the platform at the lengths given, rad (rr_3ups-beta_q)
@@ -463,7 +462,7 @@ int rr_3ups_leg_lengths_step_f32(
  *     1]
  * @param[out] q_dot rate of length i, for each leg, m/s (rr_3ups-q_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_leg_rates_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -509,7 +508,7 @@ int rr_3ups_leg_rates_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_leg_rates_c
  *     1]
  * @param[out] q_dot rate of length i, for each leg, m/s (rr_3ups-q_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_leg_rates_step_f32(
     const rr_3ups_leg_rates_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -535,7 +534,7 @@ int rr_3ups_leg_rates_step_f32(
  *     [-1, 1]
  * @param[out] q_ddot acceleration of length i, for each leg, m/s^2 (rr_3ups-q_ddot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_leg_accelerations_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -586,7 +585,7 @@ int rr_3ups_leg_accelerations_setup_f32(
  *     [-1, 1]
  * @param[out] q_ddot acceleration of length i, for each leg, m/s^2 (rr_3ups-q_ddot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_leg_accelerations_step_f32(
     const rr_3ups_leg_accelerations_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -603,9 +602,9 @@ int rr_3ups_leg_accelerations_step_f32(
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
  *     [-1000, 1000], working range [-1.5, 1.5]
  * @param[out] J Jacobian from the rates of alpha and beta to those of the lengths, row i, for
- *     each leg, 3 by 2, row-major (rr_3ups-J)
+ *     each leg, 3 by 2, row-major, m (rr_3ups-J)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_jacobian_f32(const rr_3ups_params_f32 *p, float alpha, float beta, float J[6]);
 
@@ -644,9 +643,9 @@ int rr_3ups_jacobian_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_jacobian_ctx
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
  *     [-1000, 1000], working range [-1.5, 1.5]
  * @param[out] J Jacobian from the rates of alpha and beta to those of the lengths, row i, for
- *     each leg, 3 by 2, row-major (rr_3ups-J)
+ *     each leg, 3 by 2, row-major, m (rr_3ups-J)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_jacobian_step_f32(
     const rr_3ups_jacobian_ctx_f32 *ctx, float alpha, float beta, float J[6]);
@@ -665,10 +664,10 @@ int rr_3ups_jacobian_step_f32(
  *     1]
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
  *     1]
- * @param[out] J_dot rate of row i of the Jacobian, for each leg, 3 by 2, row-major
+ * @param[out] J_dot rate of row i of the Jacobian, for each leg, 3 by 2, row-major, m/s
  *     (rr_3ups-J_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_jacobian_rate_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -713,10 +712,10 @@ int rr_3ups_jacobian_rate_setup_f32(
  *     1]
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
  *     1]
- * @param[out] J_dot rate of row i of the Jacobian, for each leg, 3 by 2, row-major
+ * @param[out] J_dot rate of row i of the Jacobian, for each leg, 3 by 2, row-major, m/s
  *     (rr_3ups-J_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_jacobian_rate_step_f32(
     const rr_3ups_jacobian_rate_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -737,9 +736,9 @@ int rr_3ups_jacobian_rate_step_f32(
  * @param[out] psi angle of leg i about the second axis of its universal joint, in [-pi/2, pi/2],
  *     for each leg, rad (rr_3ups-psi)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_leg_angles_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float gamma[3], float psi[3]);
@@ -788,9 +787,9 @@ int rr_3ups_leg_angles_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_leg_angles
  * @param[out] psi angle of leg i about the second axis of its universal joint, in [-pi/2, pi/2],
  *     for each leg, rad (rr_3ups-psi)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_leg_angles_step_f32(
     const rr_3ups_leg_angles_ctx_f32 *ctx, float alpha, float beta, float gamma[3], float psi[3]);
@@ -827,9 +826,9 @@ int rr_3ups_leg_angles_step_f32(
  * @param[out] a_s acceleration of the second link's centre of mass, world axes, for each leg, 3
  *     by 3, row-major, m/s^2 (rr_3ups-a_s)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_leg_motion_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -896,9 +895,9 @@ int rr_3ups_leg_motion_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_leg_motion
  * @param[out] a_s acceleration of the second link's centre of mass, world axes, for each leg, 3
  *     by 3, row-major, m/s^2 (rr_3ups-a_s)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_leg_motion_step_f32(
     const rr_3ups_leg_motion_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -936,9 +935,9 @@ int rr_3ups_leg_motion_step_f32(
  * @param[out] a_s acceleration of the second link's centre of mass, world axes, for each leg, 3
  *     by 3, row-major, m/s^2 (rr_3ups-a_s)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_leg_motion_spin_free_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -1006,9 +1005,9 @@ int rr_3ups_leg_motion_spin_free_setup_f32(
  * @param[out] a_s acceleration of the second link's centre of mass, world axes, for each leg, 3
  *     by 3, row-major, m/s^2 (rr_3ups-a_s)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_leg_motion_spin_free_step_f32(
     const rr_3ups_leg_motion_spin_free_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -1030,7 +1029,7 @@ int rr_3ups_leg_motion_spin_free_step_f32(
  * @param[out] sigma_min smallest singular value of J: how far some leg moves per unit of the
  *     worst motion; 0 where drives do not hold, m (rr_3ups-sigma_min)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_singularity_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float *det_2, float *sigma_min);
@@ -1076,7 +1075,7 @@ int rr_3ups_singularity_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_singulari
  * @param[out] sigma_min smallest singular value of J: how far some leg moves per unit of the
  *     worst motion; 0 where drives do not hold, m (rr_3ups-sigma_min)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_singularity_step_f32(
     const rr_3ups_singularity_ctx_f32 *ctx, float alpha, float beta, float *det_2,
@@ -1100,16 +1099,17 @@ int rr_3ups_singularity_step_f32(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] tau generalised force that the drives must give: moments about the axes of alpha
- *     and beta (rr_3ups-tau)
+ *     and beta, N*m (rr_3ups-tau)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_generalized_force_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -1181,16 +1181,17 @@ int rr_3ups_generalized_force_setup_f32(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] tau generalised force that the drives must give: moments about the axes of alpha
- *     and beta (rr_3ups-tau)
+ *     and beta, N*m (rr_3ups-tau)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_generalized_force_step_f32(
     const rr_3ups_generalized_force_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -1198,7 +1199,8 @@ int rr_3ups_generalized_force_step_f32(
     float tau[2]);
 
 /**
- * @brief The same where leg 3 is absent with its masses: its parameters are not felt.
+ * @brief The same where leg 3 is absent with its masses: its parameters must be legal, 0 serves,
+ *     and are not felt.
  *
  * Cost: 652 flops (405 mul, 235 add, 6 div, 6 sqrt), 22 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
@@ -1215,16 +1217,17 @@ int rr_3ups_generalized_force_step_f32(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
- * @param[out] tau generalised force that two drives must give where leg 3 is absent
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
+ * @param[out] tau generalised force that two drives must give where leg 3 is absent, N*m
  *     (rr_3ups-tau_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_generalized_force_two_legs_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -1282,7 +1285,7 @@ int rr_3ups_generalized_force_two_legs_setup_f32(
 
 /**
  * @brief Step of generalized_force_two_legs. The same where leg 3 is absent with its masses: its
- *     parameters are not felt.
+ *     parameters must be legal, 0 serves, and are not felt.
  *
  * Cost: 609 flops (386 mul, 211 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] ctx what generalized_force_two_legs_setup left, its status not negative
@@ -1298,16 +1301,17 @@ int rr_3ups_generalized_force_two_legs_setup_f32(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
- * @param[out] tau generalised force that two drives must give where leg 3 is absent
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
+ * @param[out] tau generalised force that two drives must give where leg 3 is absent, N*m
  *     (rr_3ups-tau_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_generalized_force_two_legs_step_f32(
     const rr_3ups_generalized_force_two_legs_ctx_f32 *ctx, float alpha, float beta,
@@ -1332,16 +1336,17 @@ int rr_3ups_generalized_force_two_legs_step_f32(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
- * @param[out] tau generalised force that the drives must give if legs do not spin
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
+ * @param[out] tau generalised force that the drives must give if legs do not spin, N*m
  *     (rr_3ups-tau_free)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_generalized_force_spin_free_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -1411,16 +1416,17 @@ int rr_3ups_generalized_force_spin_free_setup_f32(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
- * @param[out] tau generalised force that the drives must give if legs do not spin
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
+ * @param[out] tau generalised force that the drives must give if legs do not spin, N*m
  *     (rr_3ups-tau_free)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_generalized_force_spin_free_step_f32(
     const rr_3ups_generalized_force_spin_free_ctx_f32 *ctx, float alpha, float beta,
@@ -1445,18 +1451,20 @@ int rr_3ups_generalized_force_spin_free_step_f32(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] F_out forces of the three drives, of least norm; extending positive, N
  *     (rr_3ups-F_q)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_forces_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -1527,18 +1535,20 @@ int rr_3ups_forces_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_forces_ctx_f32
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] F_out forces of the three drives, of least norm; extending positive, N
  *     (rr_3ups-F_q)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_forces_step_f32(
     const rr_3ups_forces_ctx_f32 *ctx, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -1562,18 +1572,20 @@ int rr_3ups_forces_step_f32(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] F_out forces of the three drives of legs that do not spin, of least norm;
  *     extending positive, N (rr_3ups-F_q_free)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_forces_spin_free_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -1641,18 +1653,20 @@ int rr_3ups_forces_spin_free_setup_f32(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] F_out forces of the three drives of legs that do not spin, of least norm;
  *     extending positive, N (rr_3ups-F_q_free)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_forces_spin_free_step_f32(
     const rr_3ups_forces_spin_free_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -1677,20 +1691,22 @@ int rr_3ups_forces_spin_free_step_f32(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[in] preload internal force: legs press against each other by it and the platform does
  *     not move, N, refused outside [-1e+06, 1e+06], working range [-100, 100]
  * @param[out] F_out forces of the three drives with an internal force, extending positive, N
  *     (rr_3ups-F_preloaded)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_forces_preloaded_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -1764,20 +1780,22 @@ int rr_3ups_forces_preloaded_setup_f32(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[in] preload internal force: legs press against each other by it and the platform does
  *     not move, N, refused outside [-1e+06, 1e+06], working range [-100, 100]
  * @param[out] F_out forces of the three drives with an internal force, extending positive, N
  *     (rr_3ups-F_preloaded)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_forces_preloaded_step_f32(
     const rr_3ups_forces_preloaded_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -1785,7 +1803,8 @@ int rr_3ups_forces_preloaded_step_f32(
     float preload, float F_out[3]);
 
 /**
- * @brief Forces of the drives of legs 1 and 2 where leg 3 is absent with its masses.
+ * @brief Forces of the drives of legs 1 and 2 where leg 3 is absent with its masses: its
+ *     parameters must be legal, 0 serves, and are not felt.
  *
  * Cost: 670 flops (418 mul, 239 add, 7 div, 6 sqrt), 22 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
@@ -1802,18 +1821,20 @@ int rr_3ups_forces_preloaded_step_f32(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] F_out forces of the drives of legs 1 and 2 where leg 3 is absent; extending
- *     positive (rr_3ups-F_2)
+ *     positive, N (rr_3ups-F_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: two drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: two drives do not hold the platform, |det_2| is at most 1e-5 (r_1^2 + r_2^2):
+ *     forces are given as 0, so hold the axes
  */
 int rr_3ups_forces_two_legs_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -1870,7 +1891,7 @@ int rr_3ups_forces_two_legs_setup_f32(
 
 /**
  * @brief Step of forces_two_legs. Forces of the drives of legs 1 and 2 where leg 3 is absent
- *     with its masses.
+ *     with its masses: its parameters must be legal, 0 serves, and are not felt.
  *
  * Cost: 622 flops (395 mul, 214 add, 7 div, 6 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] ctx what forces_two_legs_setup left, its status not negative
@@ -1886,18 +1907,20 @@ int rr_3ups_forces_two_legs_setup_f32(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] F_out forces of the drives of legs 1 and 2 where leg 3 is absent; extending
- *     positive (rr_3ups-F_2)
+ *     positive, N (rr_3ups-F_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: two drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: two drives do not hold the platform, |det_2| is at most 1e-5 (r_1^2 + r_2^2):
+ *     forces are given as 0, so hold the axes
  */
 int rr_3ups_forces_two_legs_step_f32(
     const rr_3ups_forces_two_legs_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -1918,8 +1941,9 @@ int rr_3ups_forces_two_legs_step_f32(
  *     (rr_3ups-internal)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_internal_forces_f32(const rr_3ups_params_f32 *p, float alpha, float beta, float N[3]);
 
@@ -1963,8 +1987,9 @@ int rr_3ups_internal_forces_setup_f32(
  *     (rr_3ups-internal)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_internal_forces_step_f32(
     const rr_3ups_internal_forces_ctx_f32 *ctx, float alpha, float beta, float N[3]);
@@ -1987,17 +2012,19 @@ int rr_3ups_internal_forces_step_f32(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] P mechanical power of the three drives, W (rr_3ups-P_q)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_power_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -2068,17 +2095,19 @@ int rr_3ups_power_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_power_ctx_f32 *
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] P mechanical power of the three drives, W (rr_3ups-P_q)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_power_step_f32(
     const rr_3ups_power_ctx_f32 *ctx, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -2102,17 +2131,19 @@ int rr_3ups_power_step_f32(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
- * @param[out] P mechanical power of the two drives where leg 3 is absent (rr_3ups-P_2)
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
+ * @param[out] P mechanical power of the two drives where leg 3 is absent, W (rr_3ups-P_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: two drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: two drives do not hold the platform, |det_2| is at most 1e-5 (r_1^2 + r_2^2):
+ *     forces are given as 0, so hold the axes
  */
 int rr_3ups_power_two_legs_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -2185,17 +2216,19 @@ int rr_3ups_power_two_legs_setup_f32(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
- * @param[out] P mechanical power of the two drives where leg 3 is absent (rr_3ups-P_2)
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
+ * @param[out] P mechanical power of the two drives where leg 3 is absent, W (rr_3ups-P_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: two drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: two drives do not hold the platform, |det_2| is at most 1e-5 (r_1^2 + r_2^2):
+ *     forces are given as 0, so hold the axes
  */
 int rr_3ups_power_two_legs_step_f32(
     const rr_3ups_power_two_legs_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -2210,12 +2243,12 @@ int rr_3ups_power_two_legs_step_f32(
  * @param[in] p parameters; none of them is read
  * @param[in] F_leg force of drive i, extending positive, for each leg, N, refused outside
  *     [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] K_M torque constant of a motor, m^2*kg/s^2/A, refused outside [1e-09, 1e+06],
- *     working range [0.01, 1]
+ * @param[in] K_M torque constant of a motor, N*m/A, refused outside [0.0001, 1e+06], working
+ *     range [0.01, 1]
  * @param[in] R_w resistance of a motor's winding, ohm, refused outside [0, 1e+06], working range
  *     [0, 10]
- * @param[in] lead travel of a screw per turn, m, refused outside [0, 1000], working range
- *     [0.001, 0.02]
+ * @param[in] lead travel of a screw per turn, m, refused outside [0, 10], working range [0.001,
+ *     0.02]
  * @param[out] P heat of motor i, for each leg, W (rr_3ups-P_copper)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -2238,12 +2271,12 @@ typedef struct {
  * Cost: 3 flops (2 mul, 0 add, 1 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed.
  * @param[in] p parameters; none of them is read
- * @param[in] K_M torque constant of a motor, m^2*kg/s^2/A, refused outside [1e-09, 1e+06],
- *     working range [0.01, 1]
+ * @param[in] K_M torque constant of a motor, N*m/A, refused outside [0.0001, 1e+06], working
+ *     range [0.01, 1]
  * @param[in] R_w resistance of a motor's winding, ohm, refused outside [0, 1e+06], working range
  *     [0, 10]
- * @param[in] lead travel of a screw per turn, m, refused outside [0, 1000], working range
- *     [0.001, 0.02]
+ * @param[in] lead travel of a screw per turn, m, refused outside [0, 10], working range [0.001,
+ *     0.02]
  * @param[out] ctx what copper_power_step reads; untouched where the status is negative
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -2282,9 +2315,9 @@ int rr_3ups_copper_power_step_f32(
  * @param[out] T kinetic energy of platform and legs, N*m (rr_3ups-T)
  * @param[out] V potential energy of platform and legs, zero on the ground, N*m (rr_3ups-V)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_energy_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -2349,9 +2382,9 @@ int rr_3ups_energy_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_energy_ctx_f32
  * @param[out] T kinetic energy of platform and legs, N*m (rr_3ups-T)
  * @param[out] V potential energy of platform and legs, zero on the ground, N*m (rr_3ups-V)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_energy_step_f32(
     const rr_3ups_energy_ctx_f32 *ctx, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -2367,12 +2400,12 @@ int rr_3ups_energy_step_f32(
  *     working range [-3.2, 3.2]
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
  *     [-1000, 1000], working range [-1.5, 1.5]
- * @param[out] H mass matrix of alpha and beta, legs included, 2 by 2, row-major
+ * @param[out] H mass matrix of alpha and beta, legs included, 2 by 2, row-major, m^2*kg
  *     (rr_3ups-mass_matrix)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_mass_matrix_f32(const rr_3ups_params_f32 *p, float alpha, float beta, float H[4]);
 
@@ -2420,12 +2453,12 @@ int rr_3ups_mass_matrix_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_mass_matr
  *     working range [-3.2, 3.2]
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
  *     [-1000, 1000], working range [-1.5, 1.5]
- * @param[out] H mass matrix of alpha and beta, legs included, 2 by 2, row-major
+ * @param[out] H mass matrix of alpha and beta, legs included, 2 by 2, row-major, m^2*kg
  *     (rr_3ups-mass_matrix)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_mass_matrix_step_f32(
     const rr_3ups_mass_matrix_ctx_f32 *ctx, float alpha, float beta, float H[4]);
@@ -2444,15 +2477,16 @@ int rr_3ups_mass_matrix_step_f32(
  *     1]
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
  *     1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
- * @param[out] tau_0 generalised force at no acceleration (rr_3ups-bias)
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
+ * @param[out] tau_0 generalised force at no acceleration, N*m (rr_3ups-bias)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_bias_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -2517,15 +2551,16 @@ int rr_3ups_bias_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_bias_ctx_f32 *ct
  *     1]
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
  *     1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
- * @param[out] tau_0 generalised force at no acceleration (rr_3ups-bias)
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
+ * @param[out] tau_0 generalised force at no acceleration, N*m (rr_3ups-bias)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_bias_step_f32(
     const rr_3ups_bias_ctx_f32 *ctx, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -2547,19 +2582,20 @@ int rr_3ups_bias_step_f32(
  *     1]
  * @param[in] F_leg force of drive i, extending positive, for each leg, N, refused outside
  *     [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] alpha_ddot acceleration of alpha under the forces given, 1/s^2
  *     (rr_3ups-alpha_ddot_found)
  * @param[out] beta_ddot acceleration of beta under the forces given, 1/s^2
  *     (rr_3ups-beta_ddot_found)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  *   SINGULAR: some motion moves no mass: accelerations are given as 0
  */
 int rr_3ups_forward_dynamics_f32(
@@ -2634,19 +2670,20 @@ int rr_3ups_forward_dynamics_setup_f32(
  *     1]
  * @param[in] F_leg force of drive i, extending positive, for each leg, N, refused outside
  *     [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] alpha_ddot acceleration of alpha under the forces given, 1/s^2
  *     (rr_3ups-alpha_ddot_found)
  * @param[out] beta_ddot acceleration of beta under the forces given, 1/s^2
  *     (rr_3ups-beta_ddot_found)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  *   SINGULAR: some motion moves no mass: accelerations are given as 0
  */
 int rr_3ups_forward_dynamics_step_f32(
@@ -2874,16 +2911,15 @@ int rr_3ups_track_step_f64(
 /**
  * @brief Angles of the platform at three lengths, by eight steps of Gauss and Newton's method
  *     from a guess: those whose squared lengths are the least off, in the sum of squares. The
- *     residual tells whether the lengths fit together. It is 0 for those of a platform that
- *     stands still, or the search has ended at another minimum; near singular attitudes two may
- *     fit.
+ *     residual is 0 if the lengths fit together; if not, they contradict each other, or the
+ *     search has ended at another minimum. Near singular attitudes two attitudes may fit.
  *
  * Cost: 1090 flops (646 mul, 429 add, 8 div, 7 sqrt), 60 sin/cos, 4 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] q length of leg i, for each leg, m, refused outside [0, 1000], working range [0.2,
  *     1.5]
- * @param[in] guess where the search starts: alpha, then beta, for each way, rad, refused outside
+ * @param[in] guess start of the search, alpha and then beta,, for each way, rad, refused outside
  *     [-1000, 1000], working range [-1.5, 1.5]
  * @param[out] alpha turn of the platform at the lengths given, rad (rr_3ups-alpha_q)
  * @param[out] beta tilt of the platform at the lengths given, rad (rr_3ups-beta_q)
@@ -2929,16 +2965,16 @@ int rr_3ups_forward_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_forward_ctx_f
 /**
  * @brief Step of forward. Angles of the platform at three lengths, by eight steps of Gauss and
  *     Newton's method from a guess: those whose squared lengths are the least off, in the sum of
- *     squares. The residual tells whether the lengths fit together. It is 0 for those of a
- *     platform that stands still, or the search has ended at another minimum; near singular
- *     attitudes two may fit.
+ *     squares. The residual is 0 if the lengths fit together; if not, they contradict each
+ *     other, or the search has ended at another minimum. Near singular attitudes two attitudes
+ *     may fit.
  *
  * Cost: 1042 flops (616 mul, 411 add, 8 div, 7 sqrt), 48 sin/cos, 4 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] ctx what forward_setup left, its status not negative
  * @param[in] q length of leg i, for each leg, m, refused outside [0, 1000], working range [0.2,
  *     1.5]
- * @param[in] guess where the search starts: alpha, then beta, for each way, rad, refused outside
+ * @param[in] guess start of the search, alpha and then beta,, for each way, rad, refused outside
  *     [-1000, 1000], working range [-1.5, 1.5]
  * @param[out] alpha turn of the platform at the lengths given, rad (rr_3ups-alpha_q)
  * @param[out] beta tilt of the platform at the lengths given, rad (rr_3ups-beta_q)
@@ -3095,7 +3131,7 @@ int rr_3ups_leg_lengths_step_f64(
  *     1]
  * @param[out] q_dot rate of length i, for each leg, m/s (rr_3ups-q_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_leg_rates_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -3141,7 +3177,7 @@ int rr_3ups_leg_rates_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_leg_rates_c
  *     1]
  * @param[out] q_dot rate of length i, for each leg, m/s (rr_3ups-q_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_leg_rates_step_f64(
     const rr_3ups_leg_rates_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -3167,7 +3203,7 @@ int rr_3ups_leg_rates_step_f64(
  *     [-1, 1]
  * @param[out] q_ddot acceleration of length i, for each leg, m/s^2 (rr_3ups-q_ddot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_leg_accelerations_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -3218,7 +3254,7 @@ int rr_3ups_leg_accelerations_setup_f64(
  *     [-1, 1]
  * @param[out] q_ddot acceleration of length i, for each leg, m/s^2 (rr_3ups-q_ddot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_leg_accelerations_step_f64(
     const rr_3ups_leg_accelerations_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -3235,9 +3271,9 @@ int rr_3ups_leg_accelerations_step_f64(
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
  *     [-1000, 1000], working range [-1.5, 1.5]
  * @param[out] J Jacobian from the rates of alpha and beta to those of the lengths, row i, for
- *     each leg, 3 by 2, row-major (rr_3ups-J)
+ *     each leg, 3 by 2, row-major, m (rr_3ups-J)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_jacobian_f64(const rr_3ups_params_f64 *p, double alpha, double beta, double J[6]);
 
@@ -3276,9 +3312,9 @@ int rr_3ups_jacobian_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_jacobian_ctx
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
  *     [-1000, 1000], working range [-1.5, 1.5]
  * @param[out] J Jacobian from the rates of alpha and beta to those of the lengths, row i, for
- *     each leg, 3 by 2, row-major (rr_3ups-J)
+ *     each leg, 3 by 2, row-major, m (rr_3ups-J)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_jacobian_step_f64(
     const rr_3ups_jacobian_ctx_f64 *ctx, double alpha, double beta, double J[6]);
@@ -3297,10 +3333,10 @@ int rr_3ups_jacobian_step_f64(
  *     1]
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
  *     1]
- * @param[out] J_dot rate of row i of the Jacobian, for each leg, 3 by 2, row-major
+ * @param[out] J_dot rate of row i of the Jacobian, for each leg, 3 by 2, row-major, m/s
  *     (rr_3ups-J_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_jacobian_rate_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -3345,10 +3381,10 @@ int rr_3ups_jacobian_rate_setup_f64(
  *     1]
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
  *     1]
- * @param[out] J_dot rate of row i of the Jacobian, for each leg, 3 by 2, row-major
+ * @param[out] J_dot rate of row i of the Jacobian, for each leg, 3 by 2, row-major, m/s
  *     (rr_3ups-J_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_jacobian_rate_step_f64(
     const rr_3ups_jacobian_rate_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -3369,9 +3405,9 @@ int rr_3ups_jacobian_rate_step_f64(
  * @param[out] psi angle of leg i about the second axis of its universal joint, in [-pi/2, pi/2],
  *     for each leg, rad (rr_3ups-psi)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_leg_angles_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double gamma[3], double psi[3]);
@@ -3420,9 +3456,9 @@ int rr_3ups_leg_angles_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_leg_angles
  * @param[out] psi angle of leg i about the second axis of its universal joint, in [-pi/2, pi/2],
  *     for each leg, rad (rr_3ups-psi)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_leg_angles_step_f64(
     const rr_3ups_leg_angles_ctx_f64 *ctx, double alpha, double beta, double gamma[3],
@@ -3460,9 +3496,9 @@ int rr_3ups_leg_angles_step_f64(
  * @param[out] a_s acceleration of the second link's centre of mass, world axes, for each leg, 3
  *     by 3, row-major, m/s^2 (rr_3ups-a_s)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_leg_motion_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -3529,9 +3565,9 @@ int rr_3ups_leg_motion_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_leg_motion
  * @param[out] a_s acceleration of the second link's centre of mass, world axes, for each leg, 3
  *     by 3, row-major, m/s^2 (rr_3ups-a_s)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_leg_motion_step_f64(
     const rr_3ups_leg_motion_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -3569,9 +3605,9 @@ int rr_3ups_leg_motion_step_f64(
  * @param[out] a_s acceleration of the second link's centre of mass, world axes, for each leg, 3
  *     by 3, row-major, m/s^2 (rr_3ups-a_s)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_leg_motion_spin_free_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -3639,9 +3675,9 @@ int rr_3ups_leg_motion_spin_free_setup_f64(
  * @param[out] a_s acceleration of the second link's centre of mass, world axes, for each leg, 3
  *     by 3, row-major, m/s^2 (rr_3ups-a_s)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_leg_motion_spin_free_step_f64(
     const rr_3ups_leg_motion_spin_free_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -3663,7 +3699,7 @@ int rr_3ups_leg_motion_spin_free_step_f64(
  * @param[out] sigma_min smallest singular value of J: how far some leg moves per unit of the
  *     worst motion; 0 where drives do not hold, m (rr_3ups-sigma_min)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_singularity_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double *det_2, double *sigma_min);
@@ -3709,7 +3745,7 @@ int rr_3ups_singularity_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_singulari
  * @param[out] sigma_min smallest singular value of J: how far some leg moves per unit of the
  *     worst motion; 0 where drives do not hold, m (rr_3ups-sigma_min)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
  */
 int rr_3ups_singularity_step_f64(
     const rr_3ups_singularity_ctx_f64 *ctx, double alpha, double beta, double *det_2,
@@ -3733,16 +3769,17 @@ int rr_3ups_singularity_step_f64(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] tau generalised force that the drives must give: moments about the axes of alpha
- *     and beta (rr_3ups-tau)
+ *     and beta, N*m (rr_3ups-tau)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_generalized_force_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -3814,16 +3851,17 @@ int rr_3ups_generalized_force_setup_f64(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] tau generalised force that the drives must give: moments about the axes of alpha
- *     and beta (rr_3ups-tau)
+ *     and beta, N*m (rr_3ups-tau)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_generalized_force_step_f64(
     const rr_3ups_generalized_force_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -3831,7 +3869,8 @@ int rr_3ups_generalized_force_step_f64(
     const double n_d[3], double tau[2]);
 
 /**
- * @brief The same where leg 3 is absent with its masses: its parameters are not felt.
+ * @brief The same where leg 3 is absent with its masses: its parameters must be legal, 0 serves,
+ *     and are not felt.
  *
  * Cost: 652 flops (405 mul, 235 add, 6 div, 6 sqrt), 22 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
@@ -3848,16 +3887,17 @@ int rr_3ups_generalized_force_step_f64(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
- * @param[out] tau generalised force that two drives must give where leg 3 is absent
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
+ * @param[out] tau generalised force that two drives must give where leg 3 is absent, N*m
  *     (rr_3ups-tau_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_generalized_force_two_legs_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -3915,7 +3955,7 @@ int rr_3ups_generalized_force_two_legs_setup_f64(
 
 /**
  * @brief Step of generalized_force_two_legs. The same where leg 3 is absent with its masses: its
- *     parameters are not felt.
+ *     parameters must be legal, 0 serves, and are not felt.
  *
  * Cost: 609 flops (386 mul, 211 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] ctx what generalized_force_two_legs_setup left, its status not negative
@@ -3931,16 +3971,17 @@ int rr_3ups_generalized_force_two_legs_setup_f64(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
- * @param[out] tau generalised force that two drives must give where leg 3 is absent
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
+ * @param[out] tau generalised force that two drives must give where leg 3 is absent, N*m
  *     (rr_3ups-tau_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_generalized_force_two_legs_step_f64(
     const rr_3ups_generalized_force_two_legs_ctx_f64 *ctx, double alpha, double beta,
@@ -3965,16 +4006,17 @@ int rr_3ups_generalized_force_two_legs_step_f64(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
- * @param[out] tau generalised force that the drives must give if legs do not spin
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
+ * @param[out] tau generalised force that the drives must give if legs do not spin, N*m
  *     (rr_3ups-tau_free)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_generalized_force_spin_free_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -4044,16 +4086,17 @@ int rr_3ups_generalized_force_spin_free_setup_f64(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
- * @param[out] tau generalised force that the drives must give if legs do not spin
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
+ * @param[out] tau generalised force that the drives must give if legs do not spin, N*m
  *     (rr_3ups-tau_free)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_generalized_force_spin_free_step_f64(
     const rr_3ups_generalized_force_spin_free_ctx_f64 *ctx, double alpha, double beta,
@@ -4078,18 +4121,20 @@ int rr_3ups_generalized_force_spin_free_step_f64(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] F_out forces of the three drives, of least norm; extending positive, N
  *     (rr_3ups-F_q)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_forces_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -4161,18 +4206,20 @@ int rr_3ups_forces_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_forces_ctx_f64
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] F_out forces of the three drives, of least norm; extending positive, N
  *     (rr_3ups-F_q)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_forces_step_f64(
     const rr_3ups_forces_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -4197,18 +4244,20 @@ int rr_3ups_forces_step_f64(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] F_out forces of the three drives of legs that do not spin, of least norm;
  *     extending positive, N (rr_3ups-F_q_free)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_forces_spin_free_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -4277,18 +4326,20 @@ int rr_3ups_forces_spin_free_setup_f64(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] F_out forces of the three drives of legs that do not spin, of least norm;
  *     extending positive, N (rr_3ups-F_q_free)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_forces_spin_free_step_f64(
     const rr_3ups_forces_spin_free_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -4313,20 +4364,22 @@ int rr_3ups_forces_spin_free_step_f64(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[in] preload internal force: legs press against each other by it and the platform does
  *     not move, N, refused outside [-1e+06, 1e+06], working range [-100, 100]
  * @param[out] F_out forces of the three drives with an internal force, extending positive, N
  *     (rr_3ups-F_preloaded)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_forces_preloaded_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -4400,20 +4453,22 @@ int rr_3ups_forces_preloaded_setup_f64(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[in] preload internal force: legs press against each other by it and the platform does
  *     not move, N, refused outside [-1e+06, 1e+06], working range [-100, 100]
  * @param[out] F_out forces of the three drives with an internal force, extending positive, N
  *     (rr_3ups-F_preloaded)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_forces_preloaded_step_f64(
     const rr_3ups_forces_preloaded_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -4421,7 +4476,8 @@ int rr_3ups_forces_preloaded_step_f64(
     const double n_d[3], double preload, double F_out[3]);
 
 /**
- * @brief Forces of the drives of legs 1 and 2 where leg 3 is absent with its masses.
+ * @brief Forces of the drives of legs 1 and 2 where leg 3 is absent with its masses: its
+ *     parameters must be legal, 0 serves, and are not felt.
  *
  * Cost: 670 flops (418 mul, 239 add, 7 div, 6 sqrt), 22 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
@@ -4438,18 +4494,20 @@ int rr_3ups_forces_preloaded_step_f64(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] F_out forces of the drives of legs 1 and 2 where leg 3 is absent; extending
- *     positive (rr_3ups-F_2)
+ *     positive, N (rr_3ups-F_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: two drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: two drives do not hold the platform, |det_2| is at most 1e-5 (r_1^2 + r_2^2):
+ *     forces are given as 0, so hold the axes
  */
 int rr_3ups_forces_two_legs_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -4507,7 +4565,7 @@ int rr_3ups_forces_two_legs_setup_f64(
 
 /**
  * @brief Step of forces_two_legs. Forces of the drives of legs 1 and 2 where leg 3 is absent
- *     with its masses.
+ *     with its masses: its parameters must be legal, 0 serves, and are not felt.
  *
  * Cost: 622 flops (395 mul, 214 add, 7 div, 6 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] ctx what forces_two_legs_setup left, its status not negative
@@ -4523,18 +4581,20 @@ int rr_3ups_forces_two_legs_setup_f64(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] F_out forces of the drives of legs 1 and 2 where leg 3 is absent; extending
- *     positive (rr_3ups-F_2)
+ *     positive, N (rr_3ups-F_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: two drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: two drives do not hold the platform, |det_2| is at most 1e-5 (r_1^2 + r_2^2):
+ *     forces are given as 0, so hold the axes
  */
 int rr_3ups_forces_two_legs_step_f64(
     const rr_3ups_forces_two_legs_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -4555,8 +4615,9 @@ int rr_3ups_forces_two_legs_step_f64(
  *     (rr_3ups-internal)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_internal_forces_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double N[3]);
@@ -4601,8 +4662,9 @@ int rr_3ups_internal_forces_setup_f64(
  *     (rr_3ups-internal)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_internal_forces_step_f64(
     const rr_3ups_internal_forces_ctx_f64 *ctx, double alpha, double beta, double N[3]);
@@ -4625,17 +4687,19 @@ int rr_3ups_internal_forces_step_f64(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] P mechanical power of the three drives, W (rr_3ups-P_q)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_power_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -4706,17 +4770,19 @@ int rr_3ups_power_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_power_ctx_f64 *
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] P mechanical power of the three drives, W (rr_3ups-P_q)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: three drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
+ *     of r^2: forces are given as 0, so hold the axes
  */
 int rr_3ups_power_step_f64(
     const rr_3ups_power_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -4741,17 +4807,19 @@ int rr_3ups_power_step_f64(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
- * @param[out] P mechanical power of the two drives where leg 3 is absent (rr_3ups-P_2)
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
+ * @param[out] P mechanical power of the two drives where leg 3 is absent, W (rr_3ups-P_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: two drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: two drives do not hold the platform, |det_2| is at most 1e-5 (r_1^2 + r_2^2):
+ *     forces are given as 0, so hold the axes
  */
 int rr_3ups_power_two_legs_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -4824,17 +4892,19 @@ int rr_3ups_power_two_legs_setup_f64(
  *     range [-1, 1]
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
  *     [-1, 1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
- * @param[out] P mechanical power of the two drives where leg 3 is absent (rr_3ups-P_2)
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
+ * @param[out] P mechanical power of the two drives where leg 3 is absent, W (rr_3ups-P_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
- *   SINGULAR: two drives do not hold the platform: their forces are given as 0
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
+ *   SINGULAR: two drives do not hold the platform, |det_2| is at most 1e-5 (r_1^2 + r_2^2):
+ *     forces are given as 0, so hold the axes
  */
 int rr_3ups_power_two_legs_step_f64(
     const rr_3ups_power_two_legs_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -4849,12 +4919,12 @@ int rr_3ups_power_two_legs_step_f64(
  * @param[in] p parameters; none of them is read
  * @param[in] F_leg force of drive i, extending positive, for each leg, N, refused outside
  *     [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] K_M torque constant of a motor, m^2*kg/s^2/A, refused outside [1e-09, 1e+06],
- *     working range [0.01, 1]
+ * @param[in] K_M torque constant of a motor, N*m/A, refused outside [0.0001, 1e+06], working
+ *     range [0.01, 1]
  * @param[in] R_w resistance of a motor's winding, ohm, refused outside [0, 1e+06], working range
  *     [0, 10]
- * @param[in] lead travel of a screw per turn, m, refused outside [0, 1000], working range
- *     [0.001, 0.02]
+ * @param[in] lead travel of a screw per turn, m, refused outside [0, 10], working range [0.001,
+ *     0.02]
  * @param[out] P heat of motor i, for each leg, W (rr_3ups-P_copper)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -4877,12 +4947,12 @@ typedef struct {
  * Cost: 3 flops (2 mul, 0 add, 1 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed.
  * @param[in] p parameters; none of them is read
- * @param[in] K_M torque constant of a motor, m^2*kg/s^2/A, refused outside [1e-09, 1e+06],
- *     working range [0.01, 1]
+ * @param[in] K_M torque constant of a motor, N*m/A, refused outside [0.0001, 1e+06], working
+ *     range [0.01, 1]
  * @param[in] R_w resistance of a motor's winding, ohm, refused outside [0, 1e+06], working range
  *     [0, 10]
- * @param[in] lead travel of a screw per turn, m, refused outside [0, 1000], working range
- *     [0.001, 0.02]
+ * @param[in] lead travel of a screw per turn, m, refused outside [0, 10], working range [0.001,
+ *     0.02]
  * @param[out] ctx what copper_power_step reads; untouched where the status is negative
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -4921,9 +4991,9 @@ int rr_3ups_copper_power_step_f64(
  * @param[out] T kinetic energy of platform and legs, N*m (rr_3ups-T)
  * @param[out] V potential energy of platform and legs, zero on the ground, N*m (rr_3ups-V)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_energy_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -4988,9 +5058,9 @@ int rr_3ups_energy_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_energy_ctx_f64
  * @param[out] T kinetic energy of platform and legs, N*m (rr_3ups-T)
  * @param[out] V potential energy of platform and legs, zero on the ground, N*m (rr_3ups-V)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_energy_step_f64(
     const rr_3ups_energy_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -5006,12 +5076,12 @@ int rr_3ups_energy_step_f64(
  *     working range [-3.2, 3.2]
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
  *     [-1000, 1000], working range [-1.5, 1.5]
- * @param[out] H mass matrix of alpha and beta, legs included, 2 by 2, row-major
+ * @param[out] H mass matrix of alpha and beta, legs included, 2 by 2, row-major, m^2*kg
  *     (rr_3ups-mass_matrix)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_mass_matrix_f64(const rr_3ups_params_f64 *p, double alpha, double beta, double H[4]);
 
@@ -5059,12 +5129,12 @@ int rr_3ups_mass_matrix_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_mass_matr
  *     working range [-3.2, 3.2]
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
  *     [-1000, 1000], working range [-1.5, 1.5]
- * @param[out] H mass matrix of alpha and beta, legs included, 2 by 2, row-major
+ * @param[out] H mass matrix of alpha and beta, legs included, 2 by 2, row-major, m^2*kg
  *     (rr_3ups-mass_matrix)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_mass_matrix_step_f64(
     const rr_3ups_mass_matrix_ctx_f64 *ctx, double alpha, double beta, double H[4]);
@@ -5083,15 +5153,16 @@ int rr_3ups_mass_matrix_step_f64(
  *     1]
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
  *     1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
- * @param[out] tau_0 generalised force at no acceleration (rr_3ups-bias)
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
+ * @param[out] tau_0 generalised force at no acceleration, N*m (rr_3ups-bias)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_bias_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -5156,15 +5227,16 @@ int rr_3ups_bias_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_bias_ctx_f64 *ct
  *     1]
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
  *     1]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
- * @param[out] tau_0 generalised force at no acceleration (rr_3ups-bias)
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
+ * @param[out] tau_0 generalised force at no acceleration, N*m (rr_3ups-bias)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  */
 int rr_3ups_bias_step_f64(
     const rr_3ups_bias_ctx_f64 *ctx, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -5186,19 +5258,20 @@ int rr_3ups_bias_step_f64(
  *     1]
  * @param[in] F_leg force of drive i, extending positive, for each leg, N, refused outside
  *     [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] alpha_ddot acceleration of alpha under the forces given, 1/s^2
  *     (rr_3ups-alpha_ddot_found)
  * @param[out] beta_ddot acceleration of beta under the forces given, 1/s^2
  *     (rr_3ups-beta_ddot_found)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  *   SINGULAR: some motion moves no mass: accelerations are given as 0
  */
 int rr_3ups_forward_dynamics_f64(
@@ -5273,19 +5346,20 @@ int rr_3ups_forward_dynamics_setup_f64(
  *     1]
  * @param[in] F_leg force of drive i, extending positive, for each leg, N, refused outside
  *     [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] f_d disturbing force on the platform at o, such as wind; the column takes it, N,
- *     refused outside [-1e+06, 1e+06], working range [-500, 500]
- * @param[in] n_d disturbing moment on the platform about o, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
+ *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
+ *     outside [-1e+06, 1e+06], working range [-500, 500]
+ * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
+ *     [-1e+06, 1e+06], working range [-200, 200]
  * @param[out] alpha_ddot acceleration of alpha under the forces given, 1/s^2
  *     (rr_3ups-alpha_ddot_found)
  * @param[out] beta_ddot acceleration of beta under the forces given, 1/s^2
  *     (rr_3ups-beta_ddot_found)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: a leg has no length
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, which cannot turn it
- *     every way
+ *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
+ *     of the joint gives it every motion
  *   SINGULAR: some motion moves no mass: accelerations are given as 0
  */
 int rr_3ups_forward_dynamics_step_f64(

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x6004c6a0UL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x7bddab03UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -35,15 +35,15 @@ int rr_3ups_copper_power_f32(
     }
   }
 
-  if (!((K_M >= 1.0e-9f) && (K_M <= 1.0e6f)) ||
+  if (!((K_M >= 0.0001f) && (K_M <= 1.0e6f)) ||
       !((R_w >= 0.0f) && (R_w <= 1.0e6f)) ||
-      !((lead >= 0.0f) && (lead <= 1000.0f))) {
+      !((lead >= 0.0f) && (lead <= 10.0f))) {
     if (status == ARMILLARY_OK) {
       status = ARMILLARY_NOT_FINITE;
     }
-    if (((fabsf(K_M) <= FLT_MAX) && !((K_M >= 1.0e-9f) && (K_M <= 1.0e6f))) ||
+    if (((fabsf(K_M) <= FLT_MAX) && !((K_M >= 0.0001f) && (K_M <= 1.0e6f))) ||
         ((fabsf(R_w) <= FLT_MAX) && !((R_w >= 0.0f) && (R_w <= 1.0e6f))) ||
-        ((fabsf(lead) <= FLT_MAX) && !((lead >= 0.0f) && (lead <= 1000.0f)))) {
+        ((fabsf(lead) <= FLT_MAX) && !((lead >= 0.0f) && (lead <= 10.0f)))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   }

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x6004c6a0UL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x7bddab03UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -37,15 +37,15 @@ int rr_3ups_copper_power_f64(
     }
   }
 
-  if (!((K_M >= 1.0e-9) && (K_M <= 1.0e6)) ||
+  if (!((K_M >= 0.0001) && (K_M <= 1.0e6)) ||
       !((R_w >= 0.0) && (R_w <= 1.0e6)) ||
-      !((lead >= 0.0) && (lead <= 1000.0))) {
+      !((lead >= 0.0) && (lead <= 10.0))) {
     if (status == ARMILLARY_OK) {
       status = ARMILLARY_NOT_FINITE;
     }
-    if (((fabs(K_M) <= DBL_MAX) && !((K_M >= 1.0e-9) && (K_M <= 1.0e6))) ||
+    if (((fabs(K_M) <= DBL_MAX) && !((K_M >= 0.0001) && (K_M <= 1.0e6))) ||
         ((fabs(R_w) <= DBL_MAX) && !((R_w >= 0.0) && (R_w <= 1.0e6))) ||
-        ((fabs(lead) <= DBL_MAX) && !((lead >= 0.0) && (lead <= 1000.0)))) {
+        ((fabs(lead) <= DBL_MAX) && !((lead >= 0.0) && (lead <= 10.0)))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
   }

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x6004c6a0UL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x7bddab03UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -303,7 +303,7 @@ int rr_3ups_forward_dynamics_f64(
     const double M_bb = t8 + I_m_x; /* rr_3ups-M_bb */
     const double t60 = M_aa * M_bb;
     const double det_M = t60 - (M_ab * M_ab); /* rr_3ups-det_M */
-    const int t61 = (1.0e-9 * t60) < det_M;
+    const int t61 = (0.00001 * t60) < det_M;
     const int massless = !t61; /* rr_3ups-massless */
     const double tau_alpha = t10 + tau_alpha_m; /* rr_3ups-tau_alpha, rr_3ups-bias_alpha */
     const double t62 = t9 + tau_alpha;

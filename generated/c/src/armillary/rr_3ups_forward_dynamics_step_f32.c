@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x6004c6a0UL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x7bddab03UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -378,7 +378,7 @@ int rr_3ups_forward_dynamics_step_f32(
     const float M_bb = t7 + I_m_x; /* rr_3ups-M_bb */
     const float t53 = M_aa * M_bb;
     const float det_M = t53 - (M_ab * M_ab); /* rr_3ups-det_M */
-    const int t54 = (1.0e-9f * t53) < det_M;
+    const int t54 = (0.00001f * t53) < det_M;
     const int massless = !t54; /* rr_3ups-massless */
     const float tau_alpha = t9 + tau_alpha_m; /* rr_3ups-tau_alpha, rr_3ups-bias_alpha */
     const float t55 = t8 + tau_alpha;
