@@ -46,7 +46,6 @@ string strings tgmath threads time uchar unistd wchar wctype windows"""
 
 _RESERVED_FOR = {
     "quantity": dict.fromkeys(_WINDOWS.split(), "a macro of <windows.h>"),
-    "definition": dict.fromkeys(_WINDOWS.split(), "a macro of <windows.h>"),
     "result": dict.fromkeys(_WINDOWS.split(), "a macro of <windows.h>"),
     "kernel": dict.fromkeys(_OF_MODULES.split(), "used by the generated kernels themselves"),
     "derivation": dict.fromkeys(_HEADERS.split(), "the name of a C header"),
@@ -56,6 +55,8 @@ _RESERVED_FOR["system"] = {
     "native": "where the compiled kernels are imported from",
     "papers": "the folder of the papers' own facts",
 }
+# What no field of a struct may be called: it stands in a header.
+CLAIMED_IN_HEADERS = frozenset(_WINDOWS.split())
 _IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 
 

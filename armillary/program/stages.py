@@ -10,6 +10,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 
 from armillary.algebra.vector import AXIS_NAMES
+from armillary.derivation.names import CLAIMED_IN_HEADERS
 from armillary.derivation.quantity import AnyQuantity
 from armillary.derivation.statements import Kernel
 from armillary.program.program import (
@@ -184,10 +185,10 @@ def _held(quantities: tuple[AnyQuantity, ...], names: frozenset[str]) -> tuple[A
 
 
 def _names(program: Program) -> set[str]:
-    """What a field may not be called, so that nothing in a step has its name."""
+    """What a field may not be called: it stands in a header, and beside others in a step."""
     kernel, told = program.kernel, program.beforehand
     moving = [q for q in (*kernel.inputs, *kernel.parameters) if q.name not in told]
-    names = {n for q in moving for n in (q.name, *q.parts)}
+    names = {n for q in moving for n in (q.name, *q.parts)} | CLAIMED_IN_HEADERS
     return names | {n for o in kernel.outputs for n in (o.name, kernel.result_argument(o.name))}
 
 

@@ -58,8 +58,8 @@ ALONG = (
     Status.UNREACHABLE,
     along_axis,
     (
-        "a leg stands along the first axis of its universal joint, within 1e-5: no rate of the joint "
-        "gives it every motion"
+        "a leg stands along the first axis of its universal joint, within 1e-5: no rate of the "
+        "joint gives it every motion"
     ),
 )
 MOVED = [NO_LEG, ALONG]

@@ -97,6 +97,17 @@ def test_no_field_has_the_name_of_something_else_in_the_step():
     assert len(names) == len(set(names))
 
 
+def test_no_field_is_a_macro_of_a_header():
+    d = Derivation("wide", title="Wide")
+    t, tilt = d.angle("t", "an angle"), d.parameter.angle("tilt", "a tilt")
+    far = d.define("far", sin(tilt) * cos(tilt), because=BECAUSE)
+    d.kernel("k", inputs=[t], outputs={"r": far * sin(t)})
+    _, stages = stages_of(d)
+    (field,) = stages.fields
+    assert field.name != "far"
+    assert field.identifiers == ("wide-far",)
+
+
 def test_the_set_up_guards_the_mount_and_the_step_the_rest():
     made, stages = stages_of(tree())
     assert {g.name for g in stages.setup.guards} == {"b", "tilt", "r", "foot"}
