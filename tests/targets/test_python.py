@@ -39,7 +39,7 @@ def test_results_are_the_exact_ones(printed, system, library, dtype):
         for inputs in (points(program, POINTS, dtype), spoilt(program, POINTS, dtype)):
             result = function(**{n: convert(a) for n, a in inputs.items()})
             expected = answers(program, inputs, 1)
-            agree(program, result, expected, dtype if inputs else np.float64)
+            agree(program, result, expected, inputs, dtype if inputs else np.float64)
 
 
 def test_results_stay_in_the_callers_library(printed):
