@@ -11,6 +11,7 @@ from armillary import (
     hypot,
     partial,
     time_derivative,
+    vector,
     where,
 )
 
@@ -26,7 +27,7 @@ from .legs_in_motion import (
     y_leg,
     z_leg,
 )
-from .symbols import alpha, beta, d, leg_tolerance, s, t, zeta
+from .symbols import alpha, alpha_dot, beta, beta_dot, d, leg_tolerance, s, t, zeta
 
 w = d.define(
     "w",
@@ -180,6 +181,7 @@ S_W = d.define(
     printed="13",
     latex=r"\mathbf{s}",
 )
+d.identity("it is s short of the spherical joint", S_W, l_W - s * w)
 v_t = d.define(
     "v_t",
     t * w_dot,
@@ -239,3 +241,12 @@ J_sv = d.define(
     "of mass, world axes",
     latex="J_{sv}",
 )
+
+
+def at_rates(jacobian):
+    """Both columns at their rates."""
+    return vector(*(row[0] * alpha_dot + row[1] * beta_dot for row in jacobian.rows))
+
+
+d.identity("both columns at their rates make the second link's velocity", at_rates(J_sv), v_s)
+d.identity("and so for the first link's", at_rates(J_tv), v_t)
