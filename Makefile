@@ -85,7 +85,7 @@ test-all: ## What CI runs: everything, and a missing tool is an error
 	$(MAKE) benchmark-environment
 	$(MAKE) test
 	$(BIN)/python -m benchmarks --check
-	$(BIN)/python -m mutation --check --most 50
+	$(BIN)/python -m mutation --check --most 25
 	$(MAKE) try-wheel
 
 benchmark-environment: environment
