@@ -108,8 +108,8 @@ def of_legs(entry, name, meaning, latex):
     )
 
 
-column_a = of_legs(g_alpha, "column_a", "g_alpha", r"\mathbf{g}_\alpha^{+}")
-column_b = of_legs(g_beta, "column_b", "g_beta", r"\mathbf{g}_\beta^{+}")
+column_a = of_legs(g_alpha, "column_a", "g_alpha", r"\mathbf{k}^{+}")
+column_b = of_legs(g_beta, "column_b", "g_beta", r"\mathbf{m}^{+}")
 rest = of_legs(closure, "rest", "what is left of the closure", r"\boldsymbol{\Delta}^{+}")
 reach = of_legs(r * q, "reach", "r q, which no slope exceeds,", r"\mathbf{s}^{+}")
 normal = d.define(

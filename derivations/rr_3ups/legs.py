@@ -56,7 +56,7 @@ a_m = d.define(
     vector(r * cos(phi), r * sin(phi), number(0)),
     because="The spherical joints lie in a plane through o.",
     meaning="from o to spherical joint i, platform axes",
-    latex=r"\mathbf{a}'",
+    latex=r"\mathbf{a}_m",
 )
 b = d.define(
     "b",
