@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import sympy
 
+from armillary.algebra.indexed import one_like
 from armillary.algebra.scalar import (
+    ONE,
     Absolute,
     ArcCosine,
     ArcSine,
@@ -20,6 +22,7 @@ from armillary.algebra.scalar import (
     add,
     as_condition,
     as_scalar,
+    divide,
     multiply,
 )
 
@@ -71,6 +74,12 @@ def hypot(x: ScalarLike, y: ScalarLike) -> Scalar:
 def where(condition: Condition, then: ScalarLike, otherwise: ScalarLike) -> Scalar:
     """`then` where the condition holds, else `otherwise`; both are evaluated."""
     return Select(as_condition(condition), as_scalar(then), as_scalar(otherwise))
+
+
+def reciprocal_or_zero(value: ScalarLike, zero: Condition) -> Scalar:
+    """One over a value, and 0 where `zero` holds: there the value may be 0, and is not divided."""
+    value = as_scalar(value)
+    return where(zero, 0, divide(ONE, where(zero, one_like(value), value)))
 
 
 def wrap(angle: ScalarLike) -> Scalar:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 from armillary.derivation.errors import DerivationError
 from armillary.derivation.statements import Kernel
@@ -31,11 +31,20 @@ class Compiled:
     `local` counts the vectors that are computed in another way than the strategy's.
     """
 
-    program: Program
-    strategy: Strategy
+    found: Found
     cost: Cost
-    local: int
-    found: Found = field(repr=False)
+
+    @property
+    def program(self) -> Program:
+        return self.found.program
+
+    @property
+    def strategy(self) -> Strategy:
+        return self.found.strategy
+
+    @property
+    def local(self) -> int:
+        return len(self.found.local)
 
 
 def compile_kernel(kernel: Kernel) -> Compiled:
@@ -59,7 +68,7 @@ def compile_kernel(kernel: Kernel) -> Compiled:
             "or narrow range= of the quantities it stands on",
             kernel.source,
         ) from problem
-    return Compiled(found.program, found.strategy, cost(found.program), len(found.local), found)
+    return Compiled(found, cost(found.program))
 
 
 def compile_stages(made: Compiled) -> Stages | None:

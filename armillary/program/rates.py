@@ -7,6 +7,8 @@ runs over more stays with the step.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
+
 from armillary.derivation.quantity import Rate
 from armillary.derivation.statements import Kernel
 from armillary.program.program import Domain, Op, Program, asked_once, domains, input_name, turns
@@ -60,17 +62,25 @@ def handed(program: Program) -> tuple[bool, ...]:
 @asked_once
 def in_step(program: Program) -> frozenset[int]:
     """The instructions that run in every step."""
-    given, found = handed(program), set[int]()
-    stack = [e for result in program.results for e in result.entries]
-    stack += [condition for _, condition in program.cases]
+    given = handed(program)
+    asked = [e for result in program.results for e in result.entries]
+    asked += [condition for _, condition in program.cases]
+    return frozenset(reached(program, asked, lambda number: given[number]))
+
+
+def reached(
+    program: Program, start: Iterable[int], at_hand: Callable[[int], bool] = lambda _: False
+) -> set[int]:
+    """The instructions that some values are computed by, as far as those are not at hand."""
+    stack, found = list(start), set[int]()
     while stack:
         number = stack.pop()
-        if number not in found and not given[number]:
+        if number not in found and not at_hand(number):
             found.add(number)
             stack.extend(program.instructions[number].args)
             if number in program.carried:
                 stack.append(program.carried[number])
-    return frozenset(found)
+    return found
 
 
 @asked_once

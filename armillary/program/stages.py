@@ -6,7 +6,7 @@ named like what it holds. A case or a result that is known beforehand is still t
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection
 from dataclasses import dataclass, field, replace
 
 from armillary.algebra.vector import AXIS_NAMES
@@ -23,7 +23,7 @@ from armillary.program.program import (
     domains,
     input_name,
 )
-from armillary.program.rates import in_step, mounted
+from armillary.program.rates import in_step, mounted, reached
 
 # What costs nothing where it is written: a step has its own.
 _WRITTEN = frozenset({Op.CONSTANT, Op.TABLE})
@@ -121,8 +121,8 @@ class _Division:
 
     def setup(self) -> Program:
         """What the fields need, with a result for each."""
-        program, needed = self.program, _needed(self.program, self.fields)
-        kept = sorted(needed)
+        program = self.program
+        kept = sorted(reached(program, self.fields))
         new = {old: k for k, old in enumerate(kept)}
         instructions = (program.instructions[old] for old in kept)
         phis = [n for n in program.carried if n in new]
@@ -135,18 +135,6 @@ class _Division:
             {new[n]: new[program.carried[n]] for n in phis},
             {new[n]: program.phi_domains[n] for n in phis},
         )
-
-
-def _needed(program: Program, fields: Mapping[int, Field]) -> set[int]:
-    stack, needed = list(fields), set[int]()
-    while stack:
-        number = stack.pop()
-        if number not in needed:
-            needed.add(number)
-            stack.extend(program.instructions[number].args)
-            if number in program.carried:
-                stack.append(program.carried[number])
-    return needed
 
 
 def _result(made: Field, number: int) -> Result:

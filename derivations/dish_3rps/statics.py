@@ -1,6 +1,6 @@
 """Forces in the rods that hold the facet, by virtual work."""
 
-from armillary import Twist, Wrench, at, number, one_like, vector, where
+from armillary import Twist, Wrench, at, number, reciprocal_or_zero, vector
 
 from .facet import tilt, to_base
 from .half_tilt import h_q, here, q_x, q_y, q_z, reach_q, slopes, spins
@@ -84,7 +84,7 @@ loose = d.define(
 )
 inverse = d.define(
     "inverse",
-    where(loose, number(0), 1 / where(loose, one_like(det), det)),
+    reciprocal_or_zero(det, loose),
     because="Rods that do not hold the facet are given no force.",
     meaning="one over the determinant, 0 where it vanishes",
     latex=r"\delta^{-1}",

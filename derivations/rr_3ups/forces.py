@@ -1,6 +1,17 @@
 """Forces of the drives: of least norm with three legs, the only ones with two."""
 
-from armillary import Matrix, at, hypot, number, one_like, sqrt, total, vector, where
+from armillary import (
+    Matrix,
+    at,
+    hypot,
+    number,
+    one_like,
+    reciprocal_or_zero,
+    sqrt,
+    total,
+    vector,
+    where,
+)
 from armillary.derivation.units import NEWTON
 
 from .dynamics import tau_alpha, tau_alpha_2, tau_alpha_free, tau_beta, tau_beta_2, tau_beta_free
@@ -57,7 +68,7 @@ loose = d.define(
 )
 inverse = d.define(
     "inverse",
-    where(loose, number(0), 1 / where(loose, one_like(gram), gram)),
+    reciprocal_or_zero(gram, loose),
     because="Drives that do not hold are given no force.",
     meaning="one over that determinant, 0 where it vanishes",
     latex=r"(\det J^T J)^{-1}",
@@ -120,7 +131,7 @@ loose_2 = d.define(
 )
 inverse_2 = d.define(
     "inverse_2",
-    where(loose_2, number(0), 1 / where(loose_2, one_like(det_2), det_2)),
+    reciprocal_or_zero(det_2, loose_2),
     because="Drives that do not hold are given no force.",
     meaning="one over that determinant, 0 where it vanishes",
     latex=r"(\det J_2)^{-1}",

@@ -2,11 +2,9 @@
 
 from armillary import (
     Matrix,
-    determinant,
     number,
-    one_like,
     partial,
-    solved,
+    reciprocal_or_zero,
     substitute,
     total,
     where,
@@ -16,7 +14,7 @@ from armillary.derivation.units import KILOGRAM, METRE, NEWTON_METRE
 from .dynamics import tau_alpha, tau_beta
 from .energy import F_leg
 from .legs import J_alpha, J_beta
-from .symbols import alpha_ddot, beta_ddot, d, leg, mass_tolerance
+from .symbols import alpha_ddot, beta_ddot, d, least_inertia, leg, mass_tolerance
 
 _HELD = {alpha_ddot: number(0), beta_ddot: number(0)}
 
@@ -82,28 +80,44 @@ def left_over(entries, of, letter):
 
 excess_alpha = left_over(J_alpha, bias_alpha, "alpha")
 excess_beta = left_over(J_beta, bias_beta, "beta")
-_rows = ((M_aa, M_ab), (M_ab, M_bb))
-det_M = d.define(
-    "det_M",
-    determinant(_rows),
-    because="Positive unless some motion moves no mass.",
-    meaning="determinant of the mass matrix",
-    latex=r"\det H",
+no_inertia = d.define(
+    "no_inertia",
+    ~(M_aa > least_inertia),
+    because="An angle that nothing weighs takes any acceleration.",
+    meaning="whether the turn about the vertical moves no mass",
+)
+carried = d.define(
+    "carried",
+    M_ab * reciprocal_or_zero(M_aa, no_inertia),
+    because="The row of alpha, times this, leaves beta alone in the row of beta: products of two "
+    "entries, which single precision may not hold, are not asked for.",
+    meaning="acceleration of alpha that goes with one of beta, with its sign turned",
+    latex=r"H_{\alpha\beta}/H_{\alpha\alpha}",
+)
+M_left = d.define(
+    "M_left",
+    M_bb - carried * M_ab,
+    because="What beta moves when alpha is free.",
+    meaning="inertia of beta with alpha free",
+    latex=r"H_{\beta\beta}'",
 )
 massless = d.define(
     "massless",
-    ~(det_M > mass_tolerance * (M_aa * M_bb)),
-    because="An angle that nothing weighs takes any acceleration.",
+    ~(~no_inertia & (M_left > least_inertia) & (M_left > mass_tolerance * M_bb)),
+    because="The same of beta; and of both together, where the two rows are hardly two.",
     meaning="whether some motion of the two angles moves no mass",
 )
-_solved = solved(_rows, (excess_alpha, excess_beta), where(massless, one_like(det_M), det_M))
-alpha_found, beta_found = (
-    d.define(
-        f"{letter}_ddot_found",
-        where(massless, 0 * value, value),
-        because="Two equations for two accelerations.",
-        meaning=f"acceleration of {letter} under the forces given",
-        latex=rf"\ddot{{\{letter}}}",
-    )
-    for letter, value in zip(("alpha", "beta"), _solved, strict=True)
+beta_found = d.define(
+    "beta_ddot_found",
+    (excess_beta - carried * excess_alpha) * reciprocal_or_zero(M_left, massless),
+    because="The row of beta, alpha eliminated.",
+    meaning="acceleration of beta under the forces given",
+    latex=r"\ddot{\beta}",
+)
+alpha_found = d.define(
+    "alpha_ddot_found",
+    where(massless, 0, (excess_alpha - M_ab * beta_found) * reciprocal_or_zero(M_aa, no_inertia)),
+    because="The row of alpha.",
+    meaning="acceleration of alpha under the forces given",
+    latex=r"\ddot{\alpha}",
 )

@@ -95,17 +95,16 @@ tangent = d.define(
     meaning="tangent of psi of leg i",
     latex=r"\mathrm{t}\psi",
 )
-axes = leg_axes(y_leg, second / cosine)
 x_leg = d.define(
     "x_leg",
-    axes.x,
+    second / cosine,
     because="The second axis.",
     meaning="x axis of leg i, turned axes",
     latex=r"\mathbf{x}",
 )
 z_leg = d.define(
     "z_leg",
-    x_leg.cross(y_leg),
+    leg_axes(y_leg, x_leg).z,
     because="Right-handed.",
     meaning="z axis of leg i, turned axes",
     latex=r"\mathbf{z}",

@@ -1,7 +1,6 @@
 """The legs in the world: their frames, how they turn, and how their links move."""
 
 from armillary import (
-    Axes,
     Matrix,
     X,
     Y,
@@ -19,6 +18,7 @@ from .dynamics import a_S, a_T, omega_dot_free, omega_free
 from .legs import J_alpha, J_beta, a, l_W, length, q, q_dot
 from .legs_in_motion import (
     along_axis,
+    axes,
     omega,
     omega_dot,
     u,
@@ -70,12 +70,11 @@ leg_frame = d.define(
     printed="2",
     latex="R",
 )
-_axes = Axes(x_leg, y_leg, z_leg)
 
 
 def to_world(vector_):
     """A vector in leg axes, in the world's."""
-    return elementary(Z, alpha) @ (_axes @ vector_)
+    return elementary(Z, alpha) @ (axes @ vector_)
 
 
 for _k, _axis in ((X, x_leg), (Y, y_leg), (Z, z_leg)):

@@ -178,6 +178,13 @@ hold_tolerance = d.constant(
 mass_tolerance = d.constant(
     "mass_tolerance",
     "1e-5",
-    "part of the product of its diagonal below which the determinant of the mass matrix is 0",
+    "part of the inertia of beta below which what is left of it with alpha free is taken as 0",
     latex=r"\tau_H",
+)
+least_inertia = d.constant(
+    "least_inertia",
+    "1e-9",
+    "moment of inertia below which an angle moves no mass",
+    unit=KILOGRAM * METRE**2,
+    latex=r"\tau_I",
 )

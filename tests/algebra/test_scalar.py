@@ -5,12 +5,23 @@ import math
 import pytest
 import sympy
 
-from armillary import PI, degrees, full_turn, matrix, number, wrap
+from armillary import (
+    PI,
+    Derivation,
+    degrees,
+    full_turn,
+    matrix,
+    number,
+    reciprocal_or_zero,
+    wrap,
+)
 from armillary.algebra import scalar as s
 from armillary.algebra.explicit import Explicit, symbol
 from armillary.algebra.functions import arccos, arcsin
 from armillary.algebra.scalar import ONE, ZERO, Symbol
 from armillary.algebra.vector import NULL, Basis, VectorSymbol, vector
+from armillary.derivation.units import METRE
+from tests.programs import program_of, value_of
 
 TURN = 2 * math.pi
 a, b = Symbol("a"), Symbol("b")
@@ -112,3 +123,13 @@ def test_turns(angle, wrapped, turned):
 
 def value(node, at):
     return float(Explicit()(node).xreplace({symbol("a"): sympy.Float(at, 30)}))
+
+
+def test_one_over_a_value_is_0_where_the_value_may_be_0():
+    record = Derivation("guarded", title="Guarded")
+    x = record.length("x", "a divisor, in metres")
+    least = record.constant("least", "0.5", "what is divided by", unit=METRE)
+    program = program_of(record, [x], {"r": reciprocal_or_zero(x, x < least)})
+    assert value_of(program, {"x": 0.0}) == 0.0
+    assert value_of(program, {"x": 0.25}) == 0.0
+    assert value_of(program, {"x": 4.0}) == 0.25

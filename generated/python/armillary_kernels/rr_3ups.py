@@ -4586,7 +4586,7 @@ def forward_dynamics(*, alpha, beta, alpha_dot, beta_dot, F_leg, f_d, n_d, r, ph
     zeta, t, s, m_t, m_s, I_t, I_s, I_m, h_0, m_m, r_sc, g):
     """Accelerations of alpha and beta under given forces of the drives.
 
-    906 flops (580 mul, 313 add, 7 div, 6 sqrt), 22 sin/cos, 0 atan2
+    905 flops (578 mul, 313 add, 8 div, 6 sqrt), 22 sin/cos, 0 atan2
 
     Args:
         alpha: turn of the platform about the vertical, rad
@@ -4820,19 +4820,27 @@ def forward_dynamics(*, alpha, beta, alpha_dot, beta_dot, F_leg, f_d, n_d, r, ph
         t59 = xp.logical_not(t22)
         along_axis = xp.logical_or(along_axis, t59)
     M_aa = t7 + ((z_m_y * (I_m_y * z_m_y)) + (z_m_z * (I_m_z * z_m_z)))
+    t60 = 1.0e-9 < M_aa
+    no_inertia = xp.logical_not(t60)
     M_bb = t8 + I_m_x
-    t60 = M_aa * M_bb
-    det_M = t60 - (M_ab * M_ab)
-    t61 = (0.00001 * t60) < det_M
-    massless = xp.logical_not(t61)
+    t61 = call.select(no_inertia, 1.0, M_aa)
+    t62 = 1.0 / t61
+    t63 = call.select(no_inertia, 0.0, t62)
+    carried = M_ab * t63
+    M_left = M_bb - (carried * M_ab)
+    t64 = 1.0e-9 < M_left
+    t65 = xp.logical_and(t60, t64)
+    t66 = (0.00001 * M_bb) < M_left
+    t67 = xp.logical_and(t65, t66)
+    massless = xp.logical_not(t67)
     tau_alpha = t10 + tau_alpha_m
-    t62 = t9 + tau_alpha
+    t68 = t9 + tau_alpha
     tau_beta = t12 + tau_beta_m
-    t63 = t11 + tau_beta
-    t64 = call.select(massless, 1.0, det_M)
-    t65 = 1.0 / t64
-    alpha_ddot_found = call.select(massless, 0.0, (((M_ab * t63) - (M_bb * t62)) * t65))
-    beta_ddot_found = call.select(massless, 0.0, (((M_ab * t62) - (M_aa * t63)) * t65))
+    t69 = call.select(massless, 1.0, M_left)
+    t70 = 1.0 / t69
+    t71 = call.select(massless, 0.0, t70)
+    beta_ddot_found = ((carried * t68) - (t11 + tau_beta)) * t71
+    alpha_ddot_found = call.select(massless, 0.0, (-((t68 + (M_ab * beta_ddot_found)) * t63)))
     call.case(2, massless)  # SINGULAR
     call.case(-3, no_leg)  # UNREACHABLE
     call.case(-3, along_axis)  # UNREACHABLE

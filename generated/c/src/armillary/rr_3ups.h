@@ -18,7 +18,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_RR_3UPS_ABI 0x7bddab03UL
+#define ARMILLARY_RR_3UPS_ABI 0x9702794cUL
 
 #ifdef __cplusplus
 extern "C" {
@@ -2569,7 +2569,7 @@ int rr_3ups_bias_step_f32(
 /**
  * @brief Accelerations of alpha and beta under given forces of the drives.
  *
- * Cost: 906 flops (580 mul, 313 add, 7 div, 6 sqrt), 22 sin/cos, 0 atan2.
+ * Cost: 905 flops (578 mul, 313 add, 8 div, 6 sqrt), 22 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
@@ -2657,7 +2657,7 @@ int rr_3ups_forward_dynamics_setup_f32(
  * @brief Step of forward_dynamics. Accelerations of alpha and beta under given forces of the
  *     drives.
  *
- * Cost: 815 flops (525 mul, 277 add, 7 div, 6 sqrt), 4 sin/cos, 0 atan2.
+ * Cost: 814 flops (523 mul, 277 add, 8 div, 6 sqrt), 4 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] ctx what forward_dynamics_setup left, its status not negative
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
@@ -5245,7 +5245,7 @@ int rr_3ups_bias_step_f64(
 /**
  * @brief Accelerations of alpha and beta under given forces of the drives.
  *
- * Cost: 906 flops (580 mul, 313 add, 7 div, 6 sqrt), 22 sin/cos, 0 atan2.
+ * Cost: 905 flops (578 mul, 313 add, 8 div, 6 sqrt), 22 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
@@ -5333,7 +5333,7 @@ int rr_3ups_forward_dynamics_setup_f64(
  * @brief Step of forward_dynamics. Accelerations of alpha and beta under given forces of the
  *     drives.
  *
- * Cost: 815 flops (525 mul, 277 add, 7 div, 6 sqrt), 4 sin/cos, 0 atan2.
+ * Cost: 814 flops (523 mul, 277 add, 8 div, 6 sqrt), 4 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] ctx what forward_dynamics_setup left, its status not negative
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
