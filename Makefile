@@ -5,7 +5,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 ONCE := @$(PYTHON) tools/once.py
-PYTEST_ARGS ?=
+PYTEST_ARGS ?= --numprocesses auto --maxprocesses 8 --dist loadgroup
 
 # Read by every step that runs the engine.
 ENGINE := $(addprefix armillary/,algebra derivation mechanism program targets vocabulary.py) \

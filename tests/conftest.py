@@ -20,6 +20,17 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     )
 
 
+# Made once for all tests; a process of its own would make each again.
+SHARED = ("site", "found")
+
+
+def pytest_itemcollected(item: pytest.Item) -> None:
+    """Tests that look at the same large thing stay in one process."""
+    for name in SHARED:
+        if name in getattr(item, "fixturenames", ()):
+            item.add_marker(pytest.mark.xdist_group(name))
+
+
 @pytest.fixture
 def golden(request: pytest.FixtureRequest) -> Callable[[str, str], None]:
     """`golden("name.txt", text)` compares with `golden/name.txt` beside the test."""
