@@ -7,7 +7,7 @@ claimed, never whether that is right: the audit computes the verdict.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from types import UnionType
 
 from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
@@ -18,129 +18,43 @@ from armillary.algebra.rotation import Rotation
 from armillary.derivation.checking import check_expression, check_symbols
 from armillary.derivation.entries import shape_of
 from armillary.derivation.errors import DerivationError, Source, caller
-from armillary.derivation.quantity import Quantity
-from armillary.derivation.ranges import Between, Extremes, LeastMoved
+from armillary.derivation.printed import (
+    Equation,
+    Meant,
+    Needed,
+    Negligible,
+    Printed,
+    Reading,
+    Spans,
+    Unchecked,
+    Word,
+)
+from armillary.derivation.quantity import AnyQuantity, Constant, ConstantTable, Quantity
+from armillary.derivation.ranges import Between, Extremes, Figure, Hanging, LeastMoved
 from armillary.derivation.record import Derivation
 from armillary.derivation.statements import Block
+from armillary.derivation.symbols import leaves
 from armillary.mechanism.chain import Chain
+
+__all__ = [
+    "PROPERTIES",
+    "Equation",
+    "Meant",
+    "Needed",
+    "Negligible",
+    "Paper",
+    "Printed",
+    "Reading",
+    "Spans",
+    "Unchecked",
+    "Word",
+]
 
 PROPERTIES = ("singular", "orthogonal", "symmetric", "skew-symmetric", "diagonal")
 
 
-@dataclass(frozen=True, eq=False)
-class Reading:
-    """One way to read a print; `name` is empty where there is only one."""
-
-    name: str
-    printed: Block
-
-
-@dataclass(frozen=True, eq=False)
-class Meant:
-    """What the names of a print may stand for instead: `words` say what is true then."""
-
-    words: str
-    names: tuple[tuple[Block, Block], ...]
-
-
-@dataclass(frozen=True, eq=False)
-class Equation:
-    """A printed equation, or a sentence that states one.
-
-    Attributes:
-        key: its number, made unique ("11", "11'"), or a word for a sentence.
-        words: what it is, in a few words.
-        quote: the sentence as printed; empty for a numbered equation.
-        claims: what is derived: the definition that the print claims to equal.
-        readings: the print, entry by entry; several where a glyph is doubtful or lost.
-        small: quantities the paper takes as small; it may hold to an order in them.
-        product: the printed product of joints whose result this claims to be.
-        frames: rotations by which a vector may have been left in another frame.
-        given: where the print says that it holds; None is everywhere.
-        meant: other things that its names may stand for, on both sides, by what is true then:
-            "the components in {P}".
-    """
-
-    key: str
-    words: str
-    quote: str
-    claims: Block
-    readings: tuple[Reading, ...]
-    small: tuple[Quantity, ...]
-    product: Chain | None
-    frames: tuple[tuple[str, Rotation], ...]
-    given: s.Condition | None
-    source: Source
-    meant: tuple[Meant, ...] = ()
-
-
-@dataclass(frozen=True, eq=False)
-class Word:
-    """A sentence that gives matrices a property by a word."""
-
-    key: str
-    quote: str
-    word: str
-    of: tuple[tuple[str, Matrix], ...]
-    source: Source
-
-
-@dataclass(frozen=True, eq=False)
-class Negligible:
-    """A sentence that calls one small quantity negligible, others of its size not.
-
-    Attributes:
-        of: the vector or scalar that is said not to feel `small`.
-        beside: the quantities of the same size that the paper says must be kept.
-    """
-
-    key: str
-    quote: str
-    of: s.Scalar | v.Vector
-    small: Quantity
-    beside: tuple[Quantity, ...]
-    source: Source
-
-
-@dataclass(frozen=True, eq=False)
-class Needed:
-    """A sentence that says small quantities must be taken into account.
-
-    Attributes:
-        of: the vector or scalar that is said to feel them.
-    """
-
-    key: str
-    quote: str
-    of: s.Scalar | v.Vector
-    small: tuple[Quantity, ...]
-    source: Source
-
-
-@dataclass(frozen=True, eq=False)
-class Spans:
-    """A sentence that calls three turns a combination of orientation angles."""
-
-    key: str
-    quote: str
-    turns: Rotation
-    angles: tuple[Quantity, ...]
-    source: Source
-
-
-@dataclass(frozen=True, eq=False)
-class Unchecked:
-    """A printed equation that states nothing a number could refute."""
-
-    key: str
-    words: str
-    reason: str
-    source: Source
-
-
-Printed = (
-    Equation | Word | Negligible | Needed | Between | Extremes | LeastMoved | Spans | Unchecked
-)
+# What one statement says of its figures: a value, and the least and largest that are stated of it.
+Stated = tuple[s.Scalar, s.ScalarLike | None, s.ScalarLike | None]
 
 
 class Paper(Derivation):
@@ -156,6 +70,27 @@ class Paper(Derivation):
     def __init__(self, key: str, *, title: str = "") -> None:
         super().__init__(key, title=title or key, paper=key)
         self.printed: dict[str, Printed] = {}
+        self.examples: dict[AnyQuantity, Block] = {}
+
+    def example_at(self, values: Mapping[AnyQuantity, Block]) -> None:
+        """Counterexamples are sought at these values, the paper's own, before any others.
+
+        Args:
+            values: constants, of the shape and the index of what they stand for.
+        """
+        source = caller()
+        for quantity, value in values.items():
+            _check_kind(quantity, AnyQuantity, "what an example has", "a quantity", source)
+            self._check("example", value, source)
+            if shape_of(quantity) != shape_of(value) or any(
+                not isinstance(leaf, Constant | ConstantTable) for leaf in leaves(value)
+            ):
+                raise DerivationError(
+                    f"what {quantity.name} has in an example is not its value",
+                    "give constants of its shape",
+                    source,
+                )
+        self.examples.update(values)
 
     def equation(
         self,
@@ -285,6 +220,47 @@ class Paper(Derivation):
         low, high = (None if number is None else s.as_scalar(number) for number in (least, largest))
         self._state(Extremes(key, quote, words, value, low, high, s.as_scalar(to), source))
 
+    def hanging(
+        self,
+        key: str,
+        quote: str,
+        figures: Mapping[str, Stated],
+        *,
+        on: Mapping[Quantity, s.ScalarLike],
+        words: str,
+        to: s.ScalarLike = 0,
+        see: str = "",
+    ) -> None:
+        """A sentence whose figures hang on quantities that are not printed.
+
+        It is wrong where no choice of them in their ranges gives all its figures, else not
+        checkable.
+
+        Args:
+            figures: by words for it, each value with the least and the largest that are stated of
+                its largest.
+            on: those quantities, with what is assumed of them.
+            words: what is assumed: "the mass centre at o".
+            to: the rounding of the figures.
+            see: where more is said of it, a sentence.
+        """
+        source = caller()
+        made = tuple(
+            Figure(name, value, *(None if b is None else s.as_scalar(b) for b in bounds))
+            for name, (value, *bounds) in figures.items()
+        )
+        for figure in made:
+            for block in (figure.value, figure.low, figure.high):
+                if block is not None:
+                    self._check(key, block, source)
+        if not made or not on:
+            raise DerivationError(
+                f"{key!r} has no figures, or hangs on nothing", "give figures and on={...}", source
+            )
+        _check_small(key, tuple(on), source)
+        assumed = tuple((q, s.as_scalar(value)) for q, value in on.items())
+        self._state(Hanging(key, quote, made, s.as_scalar(to), assumed, words, see.strip(), source))
+
     def least_moved(
         self, key: str, quote: str, value: s.Scalar, *, over: Index, part: int, words: str
     ) -> None:
@@ -343,7 +319,9 @@ def _check_small(key: str, small: Sequence[Quantity], source: Source) -> None:
         _check_kind(quantity, Quantity, words, "a quantity that was declared", source)
 
 
-def _check_kind(value: object, kind: type, words: str, wanted: str, source: Source) -> None:
+def _check_kind(
+    value: object, kind: type | UnionType, words: str, wanted: str, source: Source
+) -> None:
     if not isinstance(value, kind):
         raise DerivationError(f"{words} is {value!r}", f"give {wanted}", source)
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from armillary.algebra import scalar as s
 from armillary.algebra.index import Index
 from armillary.derivation.errors import Source
+from armillary.derivation.quantity import Quantity
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,4 +65,42 @@ class LeastMoved:
     value: s.Scalar
     over: Index
     part: int
+    source: Source
+
+
+@dataclass(frozen=True, eq=False)
+class Figure:
+    """A number that a paper reads off: the largest of a value is between two others.
+
+    Attributes:
+        words: what the value is: "the largest force of three drives".
+        low: the least that is stated; None where nothing is.
+        high: the largest.
+    """
+
+    words: str
+    value: s.Scalar
+    low: s.Scalar | None
+    high: s.Scalar | None
+
+
+@dataclass(frozen=True, eq=False)
+class Hanging:
+    """A sentence with figures that hang on quantities which the paper does not print.
+
+    Attributes:
+        figures: all that must come out at one choice of those quantities.
+        to: the rounding of the figures, in their unit.
+        on: those quantities, each with what is assumed of it.
+        words: what is assumed: "the mass centre at o".
+        see: where more is said of them, a sentence.
+    """
+
+    key: str
+    quote: str
+    figures: tuple[Figure, ...]
+    to: s.Scalar
+    on: tuple[tuple[Quantity, s.Scalar], ...]
+    words: str
+    see: str
     source: Source

@@ -29,8 +29,8 @@ MEANINGS = {
     Status.BELOW_HORIZON: "the sun does not rise",
     Status.LIMIT: "a limit of stroke was met",
     Status.NOT_FINITE: "an input is NaN or infinite; outputs were not written",
-    Status.OUT_OF_RANGE: "an input lies beyond its limits or has no physical meaning; "
-    "outputs were not written",
+    Status.OUT_OF_RANGE: "an input lies beyond its limits or has no physical meaning, or the "
+    "context of a step is not ready; outputs were not written",
     Status.UNREACHABLE: "no pose of the mechanism answers; outputs were not written",
     Status.NOT_CONVERGED: "the iteration did not converge; outputs were not written",
 }

@@ -83,14 +83,19 @@ class UniversalLeg:
         )
 
     def asked(self, demand: Wrench) -> Vector:
-        """The force at its end that turns it.
+        """The force f at its end that does the work of a demand.
 
-        The joint takes whatever does no work: of the moment only what is about its two axes is
-        left. Along itself the leg takes what its drive gives.
+        For every velocity v of the end f.v = moment.omega + force.y v.y, with the angular velocity
+        omega that the joint (or freedom from spin) gives the leg then. The joint itself takes the
+        part of the moment that does no work.
 
         Args:
-            demand: the wrench about the joint that moves the leg; of its force only the part of
-                what slides counts, along the leg.
+            demand: about the joint: the moment that moves the whole leg, and the force that moves
+                what slides, of which only the part along the leg is taken. What its parts across
+                the leg do is in the moment.
+
+        Returns:
+            The force, in the leg's axes.
         """
         moment = demand.moment
         across = moment.z if self.tangent is None else moment.z + self.tangent * moment.y

@@ -6,16 +6,17 @@ from dataclasses import dataclass, replace
 
 from armillary.derivation.errors import DerivationError
 from armillary.derivation.statements import Kernel
+from armillary.derivation.status import worse
 from armillary.program.arithmetic import Reals
 from armillary.program.cost import Cost, cost, measure
-from armillary.program.evaluate import evaluate
+from armillary.program.evaluate import Answer, evaluate
 from armillary.program.lower import Strategy, lower
 from armillary.program.passes import STAGES
 from armillary.program.program import Program
 from armillary.program.rates import mounted
 from armillary.program.sample import sample_points
 from armillary.program.search import Found, cheapest, cheapest_step
-from armillary.program.stages import Stages, divided, has_stages
+from armillary.program.stages import Stages, divided, gains, has_stages
 
 AGREEMENT = "1e-40"
 
@@ -72,10 +73,11 @@ def compile_kernel(kernel: Kernel) -> Compiled:
 
 
 def compile_stages(made: Compiled) -> Stages | None:
-    """The set-up and the step of a kernel, proved too; None where it reads only one of the two.
+    """The set-up and the step of a kernel, proved too.
 
-    The step is the cheapest, counted without what the set-up does; it may be that of another
-    program than the call's.
+    None where it reads only one of the two, and where the step would cost no less than the call:
+    a context would then be held for nothing. The step is the cheapest, counted without what the
+    set-up does; it may be that of another program than the call's.
     """
     program, kernel = made.program, made.program.kernel
     if not has_stages(kernel, program.inputs_used()):
@@ -87,10 +89,24 @@ def compile_stages(made: Compiled) -> Stages | None:
     if found is not plain:
         _prove(kernel, found)
     stages = divided(found.program)
+    if not gains(stages, made.cost):
+        return None
     for point in sample_points(kernel, 2):
-        given = {**point, **evaluate(stages.setup, point, Reals()).results}
-        _compare("division", program, _values(stages.step, given), _values(program, point))
+        whole = evaluate(program, point, Reals())
+        _compare("division", program, _flat(_in_two(stages, point, whole)), _flat(whole))
     return stages
+
+
+def _in_two(stages: Stages, point: dict[str, object], whole: Answer) -> Answer:
+    """What a set-up and a step say together.
+
+    Nothing follows a set-up that refuses: what the call says beyond that is not asked.
+    """
+    before = evaluate(stages.setup, point, Reals())
+    if before.status < 0:
+        return replace(before, status=min(before.status, whole.status))
+    after = evaluate(stages.step, {**point, **before.results}, Reals())
+    return replace(after, status=worse(before.status, after.status))
 
 
 def _without_value(kernel: Kernel) -> str | None:
@@ -134,7 +150,10 @@ def _same(program: Program) -> Program:
 
 
 def _values(program: Program, point: dict[str, object]) -> list[object]:
-    answer = evaluate(program, point, Reals())
+    return _flat(evaluate(program, point, Reals()))
+
+
+def _flat(answer: Answer) -> list[object]:
     flat: list[object] = [answer.status]
     for value in answer.results.values():
         flat.extend(value if isinstance(value, list) else [value])

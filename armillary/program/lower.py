@@ -34,18 +34,15 @@ from armillary.algebra.indexed import (
 from armillary.algebra.iteration import Iterated, Iteration
 from armillary.algebra.rigid import Matrix
 from armillary.algebra.rotation import (
-    Factor,
     Rotation,
-    factors,
     keeps_norms,
 )
 from armillary.derivation.quantity import Constant, Quantity
 from armillary.derivation.statements import Kernel, Output
-from armillary.program.carrying import Carrying
+from armillary.program.directing import Directing, flattened, opened
 from armillary.program.program import Data, Op, Program, Result
 from armillary.program.strategy import (
     FORMS,
-    NORMALISED,
     Decision,
     Local,
     Strategy,
@@ -82,12 +79,10 @@ def _lowered(
     return lowering.builder.finish(kernel, results, cases), lowering.decisions
 
 
-class _Lowering(Carrying):
+class _Lowering(Directing):
     def __init__(self, strategy: Strategy, local: Local) -> None:
         super().__init__(strategy, local)
         self._done: dict[object, int] = {}
-        self._unscaled: dict[v.Vector, int] = {}
-        self._squares: dict[v.Unit, int] = {}
         self._after: dict[int, list[int]] = {}
 
     def __call__(self, node: s.Scalar | s.Condition | v.Vector) -> int:
@@ -107,48 +102,6 @@ class _Lowering(Carrying):
         else:
             entries = (self(value),)
         return Result(output.name, output.shape, entries, output.indices)
-
-    # -- unit vectors and directions ----------------------------------------------------------
-
-    def normalised(self, root: v.Unit, vector: int) -> int:
-        """A turned copy of what `root` normalises, divided by the length that all copies have."""
-        b = self.builder
-        length = b.sqrt(self._squares[root])
-        return self.scaled(b.divide(b.constant(sympy.Integer(1)), length), vector)
-
-    def is_normalised_last(self, root: v.Unit) -> bool:
-        """Whether the turned copies of a unit vector are turned first and then normalised."""
-        return self.decide(root, "first", NORMALISED) == "last"
-
-    def unscaled(self, node: v.Vector) -> int:
-        """A vector along `node` that is not normalised."""
-        if node not in self._unscaled:
-            self._unscaled[node] = self._along(node)
-        return self._unscaled[node]
-
-    def _along(self, node: v.Vector) -> int:
-        if normalised_in(node) is None:
-            return self(node)
-        if isinstance(node, v.Unit):
-            return self(node.vector)  # normalised in itself, if it is: _squares is of this one
-        if isinstance(node, v.Rotated):
-            chain, inner = _flattened(node)
-            return self.turned(node, chain, self.unscaled(inner))
-        if isinstance(node, v.VectorNegate):
-            return self.builder.emit(Op.NEGATE_VECTOR, self.unscaled(node.argument))
-        assert isinstance(node, v.VectorReference)
-        return self.unscaled(node.expression)
-
-    def direction(self, node: v.Vector) -> tuple[int, int, int, int]:
-        """Components of a vector along `node`, and its horizontal length.
-
-        Any length will do, so nothing is normalised for the sake of a direction.
-        """
-        b, root = self.builder, normalised_in(node)
-        plain = root is not None and (_opened(node) is root or self.is_normalised_last(root))
-        vector = self.unscaled(node) if plain else self(node)
-        x, y, z = (self.pick(vector, k) for k in range(3))
-        return x, y, z, b.sqrt(b.add(b.multiply(x, x), b.multiply(y, y)))
 
     # -- one rule a node ----------------------------------------------------------------------
 
@@ -288,7 +241,7 @@ class _Lowering(Carrying):
     @translate.register
     def _(self, node: s.Dot) -> int:
         left, right = _without_common_rotation(node.left, node.right)
-        if left is right and isinstance(_opened(left), v.Unit):
+        if left is right and isinstance(opened(left), v.Unit):
             return self.builder.constant(sympy.Integer(1))
         return self.builder.emit(Op.DOT, self(left), self(right))
 
@@ -377,7 +330,7 @@ class _Lowering(Carrying):
             if root not in self._squares:
                 self._squares[root] = self.builder.emit(Op.DOT, turned, turned)
             return self.normalised(root, turned)
-        chain, vector = _flattened(node)
+        chain, vector = flattened(node)
         return self.turned(node, chain, self(vector))
 
     @translate.register
@@ -392,25 +345,11 @@ class _Lowering(Carrying):
         return number
 
 
-def _opened(node: v.Vector) -> v.Vector:
-    while isinstance(node, v.VectorReference):
-        node = node.expression
-    return node
-
-
-def _flattened(node: v.Rotated) -> tuple[tuple[Factor, ...], v.Vector]:
-    """Nested rotations as one chain; a named vector inside stays a value of its own."""
-    chain, inner = factors(node.rotation), node.vector
-    while isinstance(inner, v.Rotated):
-        chain, inner = chain + factors(inner.rotation), inner.vector
-    return chain, inner
-
-
 def _without_common_rotation(left: v.Vector, right: v.Vector) -> tuple[v.Vector, v.Vector]:
     """A rotation keeps norms: (R a).(R a) = a.a, if R is one by its form, not by its entries."""
     while left is right:
-        opened = _opened(left)
-        if not isinstance(opened, v.Rotated) or not keeps_norms(opened.rotation):
+        plain = opened(left)
+        if not isinstance(plain, v.Rotated) or not keeps_norms(plain.rotation):
             break
-        left = right = opened.vector
+        left = right = plain.vector
     return left, right

@@ -1,7 +1,9 @@
 """A program in two: a set-up that runs once a mount, and the step that it hands its values to.
 
 Only what a step reads is handed over, a number or an array over one index; the field of each is
-named like what it holds. A case or a result that is known beforehand is still told by the step.
+named like what it holds. A result that is known beforehand is still told by the step. A case that
+is known beforehand is told by the set-up: a negative one ends there, since no step follows; any
+other the steps repeat.
 """
 
 from __future__ import annotations
@@ -12,7 +14,9 @@ from dataclasses import dataclass, field, replace
 from armillary.algebra.vector import AXIS_NAMES
 from armillary.derivation.names import CLAIMED_IN_HEADERS
 from armillary.derivation.quantity import AnyQuantity
-from armillary.derivation.statements import Kernel
+from armillary.derivation.statements import Case, Kernel
+from armillary.derivation.status import Status
+from armillary.program.cost import Cost, cost
 from armillary.program.program import (
     CONDITION_OPS,
     Field,
@@ -23,10 +27,12 @@ from armillary.program.program import (
     domains,
     input_name,
 )
-from armillary.program.rates import in_step, mounted, reached
+from armillary.program.rates import handed, in_step, mounted, reached
 
 # What costs nothing where it is written: a step has its own.
 _WRITTEN = frozenset({Op.CONSTANT, Op.TABLE})
+# The field of every context that a set-up writes last: a step runs only where it finds its mark.
+READY = "ready"
 
 
 @dataclass(frozen=True)
@@ -49,6 +55,11 @@ def has_stages(kernel: Kernel, read: Collection[str]) -> bool:
     return bool(held and asked - mounted(kernel) and not kernel.stateful)
 
 
+def gains(stages: Stages, whole: Cost) -> bool:
+    """Whether a step costs less than the call of the undivided kernel, weighted."""
+    return cost(stages.step).weighted < whole.weighted
+
+
 def divided(program: Program) -> Stages:
     """The set-up and the step of a program that is told some quantities beforehand."""
     return _Division(program).run()
@@ -62,6 +73,11 @@ class _Division:
     steps: list[Instruction] = field(default_factory=list)
     new: dict[int, int] = field(default_factory=dict)
     fields: dict[int, Field] = field(default_factory=dict)
+    told: list[int] = field(init=False)
+
+    def __post_init__(self) -> None:
+        given, cases = handed(self.program), self.program.cases
+        self.told = [k for k, (_, condition) in enumerate(cases) if given[condition]]
 
     def run(self) -> Stages:
         program, inside = self.program, in_step(self.program)
@@ -72,9 +88,10 @@ class _Division:
         results = tuple(
             replace(r, entries=tuple(self.of(e) for e in r.entries)) for r in program.results
         )
-        cases = tuple((status, self.of(c)) for status, c in program.cases)
+        left = [k for k, (status, _) in enumerate(program.cases) if not self.ends(k, status)]
+        cases = tuple((program.cases[k][0], self.of(program.cases[k][1])) for k in left)
         step = Program(
-            _step_kernel(program),
+            _step_kernel(program, _those(program.kernel.cases, left)),
             tuple(self.steps),
             results,
             cases,
@@ -84,6 +101,10 @@ class _Division:
             fields=tuple(self.fields.values()),
         )
         return Stages(self.setup(), step)
+
+    def ends(self, case: int, status: Status) -> bool:
+        """Whether no step follows where a case holds."""
+        return case in self.told and status < 0
 
     def add(self, number: int, instruction: Instruction) -> int:
         self.steps.append(instruction)
@@ -120,17 +141,18 @@ class _Division:
         )
 
     def setup(self) -> Program:
-        """What the fields need, with a result for each."""
+        """What the fields and the cases need, with a result for each field."""
         program = self.program
-        kept = sorted(reached(program, self.fields))
+        cases = [program.cases[k] for k in self.told]
+        kept = sorted(reached(program, [*self.fields, *(condition for _, condition in cases)]))
         new = {old: k for k, old in enumerate(kept)}
         instructions = (program.instructions[old] for old in kept)
         phis = [n for n in program.carried if n in new]
         return Program(
-            _setup_kernel(program),
+            _setup_kernel(program, _those(program.kernel.cases, self.told)),
             tuple(replace(i, args=tuple(new[a] for a in i.args)) for i in instructions),
             tuple(_result(made, new[number]) for number, made in self.fields.items()),
-            (),
+            tuple((status, new[condition]) for status, condition in cases),
             {new[n]: ls for n, ls in program.labels.items() if n in new},
             {new[n]: new[program.carried[n]] for n in phis},
             {new[n]: program.phi_domains[n] for n in phis},
@@ -142,20 +164,24 @@ def _result(made: Field, number: int) -> Result:
     return Result(made.name, tuple(i.size for i in indices), (number,), indices)
 
 
-def _setup_kernel(program: Program) -> Kernel:
+def _those(cases: tuple[Case, ...], places: list[int]) -> tuple[Case, ...]:
+    return tuple(cases[k] for k in places)
+
+
+def _setup_kernel(program: Program, cases: tuple[Case, ...]) -> Kernel:
     kernel = program.kernel
     return replace(
         kernel,
         name=f"{kernel.name}_setup",
         inputs=_held(kernel.inputs, program.beforehand),
         outputs=(),
-        cases=(),
+        cases=cases,
         stage="setup",
         whole=kernel.name,
     )
 
 
-def _step_kernel(program: Program) -> Kernel:
+def _step_kernel(program: Program, cases: tuple[Case, ...]) -> Kernel:
     kernel, used = program.kernel, program.inputs_used()
     moving = [q for q in kernel.parameters if q.name in used]
     return replace(
@@ -163,6 +189,7 @@ def _step_kernel(program: Program) -> Kernel:
         name=f"{kernel.name}_step",
         inputs=tuple(q for q in kernel.inputs if q.name not in program.beforehand),
         parameters=tuple(q for q in moving if q.name not in program.beforehand),
+        cases=cases,
         stage="step",
         whole=kernel.name,
     )
@@ -176,7 +203,7 @@ def _names(program: Program) -> set[str]:
     """What a field may not be called: it stands in a header, and beside others in a step."""
     kernel, told = program.kernel, program.beforehand
     moving = [q for q in (*kernel.inputs, *kernel.parameters) if q.name not in told]
-    names = {n for q in moving for n in (q.name, *q.parts)} | CLAIMED_IN_HEADERS
+    names = {n for q in moving for n in (q.name, *q.parts)} | CLAIMED_IN_HEADERS | {READY}
     return names | {n for o in kernel.outputs for n in (o.name, kernel.result_argument(o.name))}
 
 

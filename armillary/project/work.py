@@ -161,7 +161,7 @@ def _from_facts(name: str, facts: Facts) -> KernelFacts:
         definitions=dict(facts["definitions"]),
         signatures=dict(facts["signatures"]),
         stages={
-            name: StageFacts(stage["digest"], Cost(**stage["cost"]), dict(stage["signatures"]))
+            name: StageFacts(**{**stage, "cost": Cost(**stage["cost"])})
             for name, stage in facts["stages"].items()
         },
     )

@@ -10,8 +10,10 @@ from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.algebra.rigid import Matrix
 from armillary.derivation.paper import Needed, Negligible, Spans, Word
-from armillary.derivation.ranges import Between, Extremes, LeastMoved
+from armillary.derivation.quantity import Quantity
+from armillary.derivation.ranges import Between, Extremes, Hanging, LeastMoved
 from armillary.derivation.statements import Block
+from armillary.derivation.symbols import leaves
 from armillary.site.notation import quantity_latex
 from armillary.site.structure import Structure
 
@@ -67,6 +69,25 @@ def _(printed: Extremes, structure: Structure) -> Iterator[str]:
     for word, stated in ((r"\min", printed.least), (r"\max", printed.largest)):
         if stated is not None:
             yield rf"{word} {value} = {structure(stated)}"
+
+
+@claim_latex.register
+def _(printed: Hanging, structure: Structure) -> Iterator[str]:
+    chosen = [quantity for quantity, _ in printed.on]
+    for figure in printed.figures:
+        over = [q for q in leaves(figure.value) if isinstance(q, Quantity) and q not in chosen]
+        value = structure(figure.value)
+        if over:
+            value = rf"\max_{{{', '.join(map(quantity_latex, over))}}} {value}"
+        low, high = (None if b is None else structure(b) for b in (figure.low, figure.high))
+        if low == high:
+            yield f"{value} = {high}"
+            continue
+        yield (
+            ("" if low is None else rf"{low} \le ")
+            + value
+            + ("" if high is None else rf" \le {high}")
+        )
 
 
 @claim_latex.register

@@ -20,13 +20,21 @@ from armillary.verify.results import read as read_checks
 
 
 @dataclass(frozen=True)
+class PrintedStage:
+    """A set-up or a step as it was generated: its prototypes by precision."""
+
+    signatures: Mapping[str, str]
+    cost: Cost
+
+
+@dataclass(frozen=True)
 class Printed:
-    """A kernel as it was generated: its prototypes by precision, and what its stages cost."""
+    """A kernel as it was generated: its prototypes by precision, and its stages."""
 
     signatures: Mapping[str, str]
     cost: Cost
     digest: str
-    stages: Mapping[str, Cost]
+    stages: Mapping[str, PrintedStage]
 
 
 @dataclass(frozen=True)
@@ -52,7 +60,10 @@ class Facts:
         found = entry.kernels.get(kernel.name) if entry else None
         if found is None or found["stated"] != kernel_digest(derivation, kernel):
             return None
-        stages = {name: Cost(**found["stages"][name]["cost"]) for name in found["stages"]}
+        stages = {
+            name: PrintedStage(stage["signatures"], Cost(**stage["cost"]))
+            for name, stage in found["stages"].items()
+        }
         ordered = {name: stages[name] for name in ("setup", "step") if name in stages}
         return Printed(found["signatures"], Cost(**found["cost"]), found["digest"], ordered)
 

@@ -52,10 +52,11 @@ class Drawn:
 
 @dataclass(frozen=True)
 class Stage:
-    """A set-up or a step: its name, and what it costs."""
+    """A set-up or a step: its name, what it costs, and its prototypes."""
 
     name: str
     cost: str
+    c_signatures: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -94,8 +95,8 @@ def _card(derivation: Derivation, kernel: Kernel, facts: Facts) -> Card:
         _python_signature(kernel) if printed else "",
         _costs(printed.cost) if printed else (),
         printed.digest[:12] if printed else "",
-        tuple(Stage(f"{kernel.name}_{stage}", str(cost))
-              for stage, cost in (printed.stages.items() if printed else ())),
+        tuple(Stage(f"{kernel.name}_{name}", str(stage.cost), tuple(stage.signatures.values()))
+              for name, stage in (printed.stages.items() if printed else ())),
         tuple(Argument(q.name, _about(q.facts.meaning, unit_text(q.unit), q.shape))
               for q in kernel.inputs),
         tuple(q.name for q in kernel.parameters if q.name in _read(kernel)),

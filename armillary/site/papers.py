@@ -39,7 +39,8 @@ MEANINGS = {
     Verdict.SIGN: "the smallest change that makes it hold is a sign",
     Verdict.WRONG: "no small change makes it hold; where it holds all the same is said",
     Verdict.AMBIGUOUS: "it can be read in several ways, and their verdicts differ",
-    Verdict.NOT_CHECKABLE: "it states nothing that a number could refute",
+    Verdict.NOT_CHECKABLE: "it states nothing that a number could refute, or hangs on what the "
+    "paper does not print",
 }
 # The least first: what a reader of the overview should see.
 _TELLING = (Verdict.WRONG, Verdict.MISPRINT, Verdict.SIGN, Verdict.AMBIGUOUS, Verdict.ORDER)

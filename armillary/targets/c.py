@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from hashlib import sha256
 from math import prod
 
 from armillary.derivation.quantity import AnyQuantity
@@ -11,8 +12,8 @@ from armillary.derivation.statements import Kernel
 from armillary.derivation.status import MEANINGS, Status
 from armillary.program.cost import Cost, cost
 from armillary.program.program import Program
-from armillary.program.stages import Stages
-from armillary.targets.c_comments import comment, context_comment, facts, function_comment
+from armillary.program.stages import READY, Stages
+from armillary.targets.c_comments import comment, context_comment, field_text, function_comment
 from armillary.targets.c_function import function_body, must_not_overlap, state_argument
 from armillary.targets.c_language import WIDTH, C, filled
 from armillary.targets.numbers import PRECISIONS
@@ -60,6 +61,17 @@ def state_type(kernel: Kernel, target: CTarget, precision: str) -> str:
 def context_type(kernel: Kernel, target: CTarget, precision: str) -> str:
     """The struct that a set-up hands to its steps."""
     return f"{target.prefix}{kernel.system}_{kernel.whole}_ctx_{precision}"
+
+
+def context_mark(kernel: Kernel, target: CTarget, precision: str, abi: str) -> str:
+    """What a context that is ready bears: of one kernel, precision and version of the sources.
+
+    Memory of zeros and of ones bears none, nor does the context of another kernel, or one kept
+    from a version whose layout may have been another.
+    """
+    told = f"{context_type(kernel, target, precision)} {abi}"
+    number = int(sha256(told.encode()).hexdigest()[:8], 16)
+    return f"0x{number % 0xFFFFFFFE + 1:08x}UL"
 
 
 def arguments(kernel: Kernel, target: CTarget, precision: str) -> list[str]:
@@ -151,7 +163,7 @@ def _source(programs: list[tuple[Program, Cost]], target: CTarget, precision: st
     functions: list[str] = []
     for program, _ in programs:
         functions += [""] if functions else []
-        functions += _function(program, target, precision)
+        functions += _function(program, target, precision, abi)
     if precision == "f64":
         functions = ["#if DBL_MANT_DIG >= 53", "", *functions, "", "#else"]
         # An empty translation unit is not C: a type keeps it one where double is too short.
@@ -159,9 +171,11 @@ def _source(programs: list[tuple[Program, Cost]], target: CTarget, precision: st
     return "\n".join([*lines, *functions]) + "\n"
 
 
-def _function(program: Program, target: CTarget, precision: str) -> list[str]:
-    body = function_body(program, C(PRECISIONS[precision]))
-    return [_prototype(program.kernel, target, precision), "{", *body, "}"]
+def _function(program: Program, target: CTarget, precision: str, abi: str) -> list[str]:
+    kernel = program.kernel
+    mark = context_mark(kernel, target, precision, abi) if kernel.stage else ""
+    body = function_body(program, C(PRECISIONS[precision]), mark)
+    return [_prototype(kernel, target, precision), "{", *body, "}"]
 
 
 def _cost_comment(name: str, cost: Cost) -> list[str]:
@@ -189,7 +203,7 @@ def header_file(
     guard = f"{target.folder}_{target.prefix}{system}_H".upper()
     lines = [
         NOTICE.format(version=target.version).rstrip(),
-        *_file_comment(system, title, any(must_not_overlap(k.program) for k in kernels)),
+        *_file_comment(system, title, kernels),
         f"#ifndef {guard}",
         f"#define {guard}",
         "",
@@ -214,29 +228,34 @@ def header_file(
     return "\n".join(lines) + "\n"
 
 
-_MAY_OVERLAP = (
-    " * negative means that no result was written. No pointer may be null. Inputs are read",
-    " * before results are written, so they may overlap. Where an input and a result have one",
-    " * name, the result's argument ends in _out.",
+_ABOUT = (
+    "SI units, radians, right-handed frames; vectors at the boundary are local east-north-up "
+    "unless stated. Matrices are flat and row-major. Every function returns an ARMILLARY status: "
+    "0 is OK, positive means every result is defined and finite, negative means that no result was "
+    "written. No pointer may be null. Inputs are read before results are written, so they may "
+    "overlap{unless}."
 )
-_MAY_OVERLAP_UNLESS = (
-    " * negative means that no result was written. No pointer may be null. Inputs are read",
-    " * before results are written, so they may overlap, except where a function says that they",
-    " * must not. Where an input and a result have one name, the result's argument ends in _out.",
+_NAMES = (
+    "Where an input and a result have one name, the result's argument ends in _out. A letter that "
+    "headers of C, Arduino or AVR define as a macro (F, I) is nobody's name here: such a result "
+    "ends in _out too, and such an input has a longer name."
+)
+_STAGES = (
+    "X_setup does what X does with all that the mount holds, once, and leaves it in a ctx; X_step "
+    "does the rest, each time. A kernel whose step would cost no less than itself has neither."
 )
 
 
-def _file_comment(system: str, title: str, some_must_not_overlap: bool) -> list[str]:
-    overlap = _MAY_OVERLAP_UNLESS if some_must_not_overlap else _MAY_OVERLAP
+def _file_comment(system: str, title: str, kernels: list[CKernel]) -> list[str]:
+    apart = any(must_not_overlap(k.program) for k in kernels)
+    unless = ", except where a function says that they must not" if apart else ""
+    about = [_ABOUT.format(unless=unless), _NAMES]
+    about += [_STAGES] if any(k.stages for k in kernels) else []
     return [
         "/**",
         f" * @file {system}.h",
         f" * @brief {comment(title).rstrip('.')}.",
-        " *",
-        " * SI units, radians, right-handed frames; vectors at the boundary are local",
-        " * east-north-up unless stated. Matrices are flat and row-major. Every function returns",
-        " * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,",
-        *overlap,
+        *(line for text in about for line in (" *", *filled(text, " * ", " * ", 94))),
         " */",
     ]
 
@@ -252,10 +271,9 @@ def _declarations(
     lines = []
     if parameters:
         name = params_type(system, target, precision)
-        lines += [
-            f"/** Parameters of the {system.replace('_', ' ')} system. */",
-            "typedef struct {",
-        ]
+        words = system.replace("_", " ")
+        told = f"Parameters of the {words} system, held by the mount unless a field says otherwise."
+        lines += [*filled(f"/** {told} */", "", "    "), "typedef struct {"]
         lines += [*_fields(parameters, kind), f"}} {name};", ""]
     known: set[str] = set()
     for made in kernels:
@@ -266,25 +284,36 @@ def _declarations(
             lines += [f"/** State of the {words}, kept from call to call. */", "typedef struct {"]
             lines += _fields(kernel.states, kind)
             lines += [f"}} {state_type(kernel, target, precision)};", ""]
-        lines += function_comment(made.program, made.cost)
+        lines += function_comment(made.program, made.cost, _others(made, kernel, target, precision))
         lines += [_prototype(kernel, target, precision) + ";", ""]
         if made.stages:
-            lines += _stages(made.stages, target, precision, kind)
+            lines += _stages(made, made.stages, target, precision)
     return lines
 
 
-def _stages(stages: Stages, target: CTarget, precision: str, kind: str) -> list[str]:
+def _stages(made: CKernel, stages: Stages, target: CTarget, precision: str) -> list[str]:
     """The struct of what is handed over, the set-up and the step."""
-    kernel = stages.setup.kernel
-    lines = [*context_comment(stages), "typedef struct {"]
-    for made in stages.fields:
-        size = f"[{made.shape[0]}]" if made.index else ""
-        lines.append(f"  {'int' if made.condition else kind} {made.name}{size};")
+    kernel, kind = stages.setup.kernel, "float" if precision == "f32" else "double"
+    # Volatile, so that what writes it first and last is not taken for idle.
+    lines = [*context_comment(stages), "typedef struct {", f"  volatile unsigned long {READY};"]
+    for one in stages.fields:
+        size = f"[{one.shape[0]}]" if one.index else ""
+        lines.append(f"  {'int' if one.condition else kind} {one.name}{size};")
     lines += [f"}} {context_type(kernel, target, precision)};", ""]
     for program in (stages.setup, stages.step):
-        lines += function_comment(program, cost(program))
+        others = _others(made, program.kernel, target, precision)
+        lines += function_comment(program, cost(program), others)
         lines += [_prototype(program.kernel, target, precision) + ";", ""]
     return lines
+
+
+def _others(made: CKernel, kernel: Kernel, target: CTarget, precision: str) -> list[str]:
+    """The functions of a divided kernel beside one of them."""
+    if made.stages is None:
+        return []
+    programs = (made.program, made.stages.setup, made.stages.step)
+    names = [function_name(program.kernel, target, precision) for program in programs]
+    return [name for name in names if name != function_name(kernel, target, precision)]
 
 
 def _fields(quantities: Sequence[AnyQuantity], kind: str) -> list[str]:
@@ -292,8 +321,7 @@ def _fields(quantities: Sequence[AnyQuantity], kind: str) -> list[str]:
     lines = []
     for q in quantities:
         field = f"{q.name}[{len(q.parts)}]" if q.shape else q.name
-        meaning = comment(f"{q.facts.meaning[:1].upper()}{q.facts.meaning[1:]}, {facts(q)}.")
-        lines += [*filled(f"/** {meaning} */", "  ", "      "), f"  {kind} {field};"]
+        lines += [*filled(f"/** {field_text(q)} */", "  ", "      "), f"  {kind} {field};"]
     return lines
 
 
@@ -311,8 +339,6 @@ def status_header(version: str) -> str:
     ]
     for status in sorted(Status, key=lambda s: (s < 0, abs(s))):
         value = f"({int(status)})" if status < 0 else str(int(status))
-        lines += [
-            f"/** {MEANINGS[status].capitalize()}. */",
-            f"#define ARMILLARY_{status.name} {value}",
-        ]
+        lines += filled(f"/** {MEANINGS[status].capitalize()}. */", "", "    ")
+        lines += [f"#define ARMILLARY_{status.name} {value}"]
     return "\n".join([*lines, "", "#endif /* ARMILLARY_STATUS_H */"]) + "\n"

@@ -2,33 +2,37 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import prod
 
-from armillary.derivation.quantity import AnyQuantity, Kind
+from armillary.derivation.quantity import AnyQuantity, Kind, Rate, Role
 from armillary.derivation.statements import Kernel, Output
 from armillary.derivation.status import Status
 from armillary.program.cost import Cost
 from armillary.program.guards import index_of_parts
 from armillary.program.program import Program
-from armillary.program.stages import Stages
+from armillary.program.stages import READY, Stages
 from armillary.targets.c_function import must_not_overlap, state_argument
 from armillary.targets.c_language import filled
 
+_RATES = {Rate.MOUNT: "held by the mount", Rate.DAY: "each day", Rate.TICK: "each tick"}
 
-def function_comment(program: Program, cost: Cost) -> list[str]:
-    """The Doxygen comment of a kernel."""
+
+def function_comment(program: Program, cost: Cost, others: Sequence[str] = ()) -> list[str]:
+    """The Doxygen comment of a kernel; `others` are functions to see too."""
     kernel = program.kernel
     used = program.inputs_used()
     ignored = [q.name for q in kernel.parameters if q.name not in used]
     text = [f"@brief {_summary(kernel)}.", "", f"Cost: {cost}."]
     if kernel.stage == "setup":
-        text += ["Run it again when a parameter or an argument here has changed."]
-    if must_not_overlap(program):
+        text += [_SETUP]
+        text += [_REPEATED] if any(case.status > 0 for case in kernel.cases) else []
+    elif must_not_overlap(program):
         text += ["Inputs are read while results are written: they must not overlap."]
     if kernel.parameters:
         text.append("@param[in] p parameters" + _ignored(kernel, ignored))
     if kernel.stage == "step":
-        text.append(f"@param[in] ctx what {kernel.whole}_setup left, its status not negative")
+        text.append(f"@param[in] ctx what {kernel.whole}_setup left; refused if it is not ready")
     states = {q.name for q in kernel.states}
     if kernel.stateful == "update":
         text.append(
@@ -37,27 +41,37 @@ def function_comment(program: Program, cost: Cost) -> list[str]:
         )
     for q in kernel.inputs:
         if q.name not in states:
-            text.append(f"@param[in] {q.name} {q.facts.meaning}, {facts(q)}")
+            text.append(f"@param[in] {q.name} {q.facts.meaning}, {facts(q)}; {_rate(q)}")
     text += [
         f"@param[out] {kernel.result_argument(o.name)} {_result_facts(o)}"
         for o in kernel.outputs
         if o.name not in states
     ]
     if kernel.stage == "setup":
-        told = "untouched where the status is negative"
+        told = "not ready where the status is negative, whatever it held before"
         text.append(f"@param[out] ctx what {kernel.whole}_step reads; {told}")
     if kernel.stateful == "init":
         text.append(
             f"@param[out] {state_argument(kernel)} state of the {_words(kernel.controller)}"
         )
     statuses = [Status.OK, *(c.status for c in kernel.cases)]
-    if program.guards:
+    if program.guards or kernel.stage == "step":
+        # A step refuses a context that is not ready like a number beyond its limits.
         statuses += [Status.NOT_FINITE, Status.OUT_OF_RANGE]
     names = ", ".join(f"ARMILLARY_{s.name}" for s in dict.fromkeys(statuses))
     text.append(f"@return {names}")
     for case in kernel.cases:
         text.append(f"  {case.status.name}: {case.because}")
-    return _doxygen(text)
+    if kernel.stage == "step":
+        text.append("  OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits")
+    return _doxygen([*text, *(f"@see {name}" for name in others)])
+
+
+_SETUP = (
+    "Run it again when a parameter or an argument here has changed, and not in an interrupt of a "
+    "step on the same ctx."
+)
+_REPEATED = "A status above 0 leaves a ctx that is ready; its steps repeat the status."
 
 
 def context_comment(stages: Stages) -> list[str]:
@@ -66,10 +80,31 @@ def context_comment(stages: Stages) -> list[str]:
     named = dict.fromkeys(i for made in stages.fields for i in made.identifiers)
     size = f"{count} number{'' if count == 1 else 's'}"
     text = [f"@brief What {whole}_setup hands to {whole}_step: {size}."]
-    text.append("Its fields may change from version to version.")
+    text.append(
+        "Its fields may change from version to version: do not store or send it, and set it up "
+        "again after recompiling. No argument and no result may lie in it."
+    )
+    text.append(
+        f"{READY} is 0 from the beginning of {whole}_setup and a mark from its end, if it did not "
+        f"refuse. Without the mark {whole}_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: "
+        "a machine does not go on with a mount that was never told, or that was told wrong."
+    )
     if named:
         text.append(f"It holds {', '.join(named)}.")
     return _doxygen(text)
+
+
+def field_text(quantity: AnyQuantity) -> str:
+    """What a field of a struct is, and its rate where that is not the mount's."""
+    meaning = quantity.facts.meaning
+    text = f"{meaning[:1].upper()}{meaning[1:]}, {facts(quantity)}"
+    moves = quantity.facts.role is Role.PARAMETER and quantity.facts.rate is not Rate.MOUNT
+    return comment(f"{text}; {_rate(quantity)}." if moves else f"{text}.")
+
+
+def _rate(quantity: AnyQuantity) -> str:
+    """How often a quantity changes."""
+    return _RATES[quantity.facts.rate]
 
 
 def _summary(kernel: Kernel) -> str:

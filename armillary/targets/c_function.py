@@ -10,19 +10,23 @@ from armillary.derivation.statements import Kernel
 from armillary.derivation.status import Status
 from armillary.program.guards import index_of_parts
 from armillary.program.program import Field, Program
+from armillary.program.stages import READY
 from armillary.targets.body import Body, unused, write_body
 from armillary.targets.c_guards import Test, form_line, guard_loops, refusal
 from armillary.targets.c_language import WIDTH, C
 from armillary.targets.language import Assignment
 
 
-def function_body(program: Program, language: C) -> list[str]:
+def function_body(program: Program, language: C, mark: str = "") -> list[str]:
     """The lines between a function's braces.
 
     Inputs are read before anything is written, so that a call in place is legal; only arrays that
     run over an index are read where they are used.
+
+    Args:
+        mark: of a set-up and its step, what a context that is ready bears.
     """
-    return _Function(program, language).write()
+    return _Function(program, language, mark).write()
 
 
 def must_not_overlap(program: Program) -> bool:
@@ -50,8 +54,9 @@ def _read(program: Program) -> list[AnyQuantity]:
 
 
 class _Function:
-    def __init__(self, program: Program, language: C) -> None:
+    def __init__(self, program: Program, language: C, mark: str) -> None:
         self.program, self.c, self.kernel = program, language, program.kernel
+        self.mark = mark
         kernel = program.kernel
         self.states = {q.name for q in kernel.states}
         self.state = state_argument(kernel) if kernel.stateful else ""
@@ -69,10 +74,11 @@ class _Function:
 
     def write(self) -> list[str]:
         tests, forms = self.tests()
-        lines = [line for q in self.read for line in self.load(q)]
+        lines = [f"ctx->{READY} = 0;"] if self.kernel.stage == "setup" else []
+        lines += [line for q in self.read for line in self.load(q)]
         lines += [line for made in self.program.fields for line in self.handed(made)]
         lines += forms
-        lines += ["int status = ARMILLARY_OK;"]
+        lines += [f"int status = {self.status()};"]
         kernel, used = self.kernel, self.program.inputs_used()
         if kernel.parameters and not any(q.name in used for q in kernel.parameters):
             lines += ["(void)p;"]
@@ -80,18 +86,25 @@ class _Function:
         if loops:
             lines += ["", *loops]
         lines = [f"  {line}" if line else "" for line in lines]
-        if not tests and not loops:
+        refused = bool(loops) or self.kernel.stage == "step"
+        if not tests and not refused:
             return [*lines, *(f"  {line}" for line in self.computation()), "  return status;"]
         if tests:
-            refused = refusal(tests, 2, first=not loops)
-            lines += ["", *(f"  {line}" for line in refused)]
-        if loops:
+            slow = refusal(tests, 2, first=not refused)
+            lines += ["", *(f"  {line}" for line in slow)]
+        if refused:
             lines += ["  }"] if tests else []
             lines += ["  if (status == ARMILLARY_OK) {"]
         else:
             lines += ["  } else {"]
         lines += [f"    {line}" for line in self.computation()]
         return [*lines, "  }", "  return status;"]
+
+    def status(self) -> str:
+        """The status before any test; that of a step whose context is not ready is the lowest."""
+        if self.kernel.stage != "step":
+            return "ARMILLARY_OK"
+        return f"(ctx->{READY} == {self.mark}) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE"
 
     def variables(self) -> dict[Index, str]:
         """The loop variables of the guards."""
@@ -149,6 +162,8 @@ class _Function:
         for status, condition in order:
             yield from (f"if ({condition}) {{", f"  status = ARMILLARY_{Status(status).name};", "}")
         stores = self.stores(body, room)
+        if self.kernel.stage == "setup":
+            stores += [f"ctx->{READY} = {self.mark};"]
         if any(status < 0 for status, _ in body.cases):
             yield from ("if (status >= 0) {", *(f"  {line}" for line in stores), "}")
         else:

@@ -21,6 +21,8 @@ from armillary.program.stages import Stages
 from armillary.targets import c, python
 
 _RUNTIME = Path(__file__).parent / "runtime"
+# How contexts are laid out beside their fields; another layout takes another word.
+_CONTEXTS = "marked"
 
 
 @dataclass(frozen=True)
@@ -53,11 +55,15 @@ class StageFacts:
     Attributes:
         digest: of its program.
         signatures: its C prototypes by precision.
+        context: the C type of what is handed over, by precision.
+        source: the C file, by precision, below the folder of the generated files.
     """
 
     digest: str
     cost: Cost
     signatures: dict[str, str]
+    context: dict[str, str]
+    source: dict[str, str]
 
 
 @dataclass(frozen=True)
@@ -208,7 +214,7 @@ def _c_files(
 
 def _abi(derivation: Derivation, target: Target, programs: Iterable[Program]) -> str:
     """A number that changes whenever any source or the header of a system does."""
-    parts = [target.version, target.c_prefix]
+    parts = [target.version, target.c_prefix, _CONTEXTS]
     parts += [f"{q.name}{q.shape}" for q in derivation.parameters]
     parts += [program.digest() for program in programs]
     return "0x" + hashlib.sha256("\n".join(parts).encode()).hexdigest()[:8] + "UL"
@@ -228,11 +234,21 @@ def _facts(
         {identifier: definition_digest(d) for identifier, d in definitions.items()},
         _signatures_of(made.program, target),
         {
-            program.kernel.stage: StageFacts(
-                program.digest(), cost(program), _signatures_of(program, target)
-            )
+            program.kernel.stage: _stage_facts(program, target)
             for program in ((stages.setup, stages.step) if stages else ())
         },
+    )
+
+
+def _stage_facts(program: Program, target: Target) -> StageFacts:
+    kernel = program.kernel
+    stem = f"c/src/{target.folder}/{kernel.system}_{kernel.whole}_step"
+    return StageFacts(
+        program.digest(),
+        cost(program),
+        _signatures_of(program, target),
+        {p: c.context_type(kernel, target.c, p) for p in target.precisions},
+        {p: f"{stem}_{p}.c" for p in target.precisions},
     )
 
 

@@ -18,7 +18,7 @@ from armillary import __version__
 from armillary.store.files import digest, digest_of
 
 MANIFEST = "manifest.json"
-FORMAT = 3
+FORMAT = 4
 # In the folder of the generated files, but not made by `generate`.
 FOREIGN = frozenset({MANIFEST, "budgets.json"})
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import mpmath
 import sympy
 
 from armillary.algebra.explicit import Explicit, reduce_trigonometry
@@ -24,7 +25,7 @@ from armillary.algebra.scalar import Condition
 from armillary.derivation.record import Derivation
 from armillary.derivation.statements import Block, Definition, Identity, Kernel
 from armillary.derivation.symbols import leaves
-from armillary.program.arithmetic import Reals
+from armillary.program.arithmetic import DIGITS, Reals
 from armillary.program.program import Program
 from armillary.verify import exact
 from armillary.verify.measured import Measured, Point, exceeds
@@ -58,6 +59,9 @@ def prove(identity: Identity) -> Measured:
 def text_book_rotation(definition: Definition) -> Measured | None:
     """R^T R = 1 and det R = 1 for a definition that holds a rotation; None for any other.
 
+    At points it is held to this as it is defined, where its computed angles must be real numbers;
+    then for all values of its angles.
+
     None too for one that stands on entries given from outside: those are for the guards to judge.
     """
     block = definition.expression
@@ -66,17 +70,44 @@ def text_book_rotation(definition: Definition) -> Measured | None:
         return None
     if any(isinstance(leaf, RotationSymbol) for leaf in leaves(rotation)):
         return None
+    claim = f"the rotation of {definition.name} is orthonormal and proper"
+    bad, at = _off_a_rotation(exact.text_book(rotation))
+    if not bad <= AGREEMENT:
+        why = "its computed angles give no real rotation there"
+        return Measured(claim, "50 digits", None, POINTS, bad, AGREEMENT, at, why)
     rotation = _by_free_angles(rotation)
     explicit, defects = Explicit(), list[sympy.Expr]()
     for place in exact.everywhere(explicit, rotation):
         matrix = sympy.Matrix(place(rotation))
         defects += [*(matrix.T * matrix - sympy.eye(3)), matrix.det(method="berkowitz") - 1]
-    claim = f"the rotation of {definition.name} is orthonormal and proper"
     return _zero(claim, exact.Function(defects, leaves(rotation), explicit.iterations))
 
 
+def _off_a_rotation(entries: exact.Function) -> tuple[float, Point]:
+    """How far some matrices are from real rotations at points, and where most; NaN counts as far.
+
+    The entries are those of one matrix after another.
+    """
+    bad = 0.0
+    at: Point = {}
+    for row in rows_of(random_points(entries.quantities, POINTS, seed=4)):
+        values = entries(row)
+        for k in range(0, len(values), 9):
+            with mpmath.workdps(DIGITS):
+                matrix = mpmath.matrix([values[k + i : k + i + 3] for i in (0, 3, 6)])
+                off = [*(matrix.H * matrix - mpmath.eye(3)), mpmath.det(matrix) - 1]
+                off += [mpmath.im(entry) for entry in matrix]
+                error = float(max(map(abs, off)))
+            if exceeds(error, bad):
+                bad, at = error, dict(row)
+    return bad, at
+
+
 def _by_free_angles(rotation: Rotation) -> Rotation:
-    """The same product with a free angle for each that is computed: it may be any number."""
+    """The same product with a free angle for each that is computed.
+
+    SymPy could not reduce the computed ones; that they are real numbers, points tell.
+    """
     angles = Derivation("angles", title="Free angles")
     return Composed(
         tuple(

@@ -64,14 +64,15 @@ class _Call:
         return {name: np.stack([answer[name] for answer in answers]) for name in answers[0]}
 
     def answers(self, kernel: str, inputs: Inputs) -> Iterator[Results]:
-        legal: Any = None
-        for k in range(count(inputs)):
-            row = {name: array[k] for name, array in inputs.items()}
-            context = self.stage(kernel, "setup", row)
-            legal = context if context.status >= 0 else legal
-            answer = self.stage(kernel, "step", row, legal)
+        rows = [{name: a[k] for name, a in inputs.items()} for k in range(count(inputs))]
+        contexts = [self.stage(kernel, "setup", row) for row in rows]
+        # What a step refuses is asked on any mount that was set up.
+        legal = next(context for context in contexts if context.status >= 0)
+        for row, context in zip(rows, contexts, strict=True):
+            ready = context.status >= 0
+            answer = self.stage(kernel, "step", row, context if ready else legal)
             found = {name: np.asarray(getattr(answer, name)) for name in answer._fields}
-            yield found if context.status >= 0 else _refused(context.status, found)
+            yield found if ready else _refused(int(context.status), found)
 
     def stage(self, kernel: str, stage: str, row: Inputs, *context: Any) -> Any:
         facts = self.divided[kernel][stage]
@@ -81,8 +82,10 @@ class _Call:
 
 
 def _refused(status: int, found: Results) -> Results:
-    """What a refused set-up and a step of a legal point say together."""
+    """What a set-up that refused and a step on another mount say together."""
     other = int(found["status"])
-    status = worse(status, other) if other in _REFUSED else status
+    if other in _REFUSED:
+        # One call tests all of its arguments ahead of any case.
+        status = worse(status, other) if status in _REFUSED else other
     nans = {name: np.full_like(a, np.nan) for name, a in found.items() if name != "status"}
     return {**nans, "status": np.asarray(status, np.int8)}

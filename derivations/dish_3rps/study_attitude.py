@@ -1,11 +1,11 @@
-"""The four facets at 10, 12 and 14 o'clock on the June solstice (Figs. 7 to 10)."""
+"""The four facets at 10, 12 and 14 o'clock on the longest day (Figs. 7 to 10)."""
 
 import numpy as np
 
 from armillary.verify.plots import Panels
 from armillary.verify.study import Column, Heading, Prose, Table
 
-from .days import FACETS, LONGEST_DAY, MM, attitude, clock_words, four, mount, toward
+from .days import FACETS, LONGEST_DAY, MM, NAMES, attitude, clock_words, four, mount, toward
 from .drawing import EYE_AZIMUTH, EYE_ELEVATION, facet_drawing, joints
 
 CLOCK = np.array([10.0, 12.0, 14.0])
@@ -17,7 +17,7 @@ def attitudes(kernels, sun, parameters):
     angles = four(attitude(kernels, sun, parameters, LONGEST_DAY, CLOCK))
     c = toward(sun, parameters, LONGEST_DAY, CLOCK)
     base, platform, pose = joints(kernels, size, angles)
-    yield Heading("Figs. 7 to 10: attitudes on the June solstice")
+    yield Heading(f"Figs. 7 to 10: attitudes on the {NAMES[LONGEST_DAY]}")
     yield Prose(
         f"Each facet is seen from azimuth {EYE_AZIMUTH:.0f} degrees, {EYE_ELEVATION:.0f} degrees "
         "above the horizon, without perspective and to scale. The normal of a facet points off the "
@@ -25,7 +25,7 @@ def attitudes(kernels, sun, parameters):
     )
     for k, facet in enumerate(FACETS):
         yield Panels(
-            f"Fig. {7 + k}: the facet on the {facet} axis at the June solstice.",
+            f"Fig. {7 + k}: the facet on the {facet} axis on the {NAMES[LONGEST_DAY]}.",
             [
                 facet_drawing(
                     f"({letter}) {clock_words(hour)}", base[t, k], platform[t, k], pose.M[t, k],

@@ -10,6 +10,7 @@ from .days import (
     LONGEST_DAY,
     MILLI,
     MM,
+    NAMES,
     PHI,
     apart,
     attitude,
@@ -21,12 +22,12 @@ from .days import (
 from .paper_readings import READINGS, dish_facet, read, replaced
 
 RODS_OFF = (
-    "Rods by the paper's readings less those of the consistent facet, the largest of three, June "
-    "solstice."
+    "Rods by the paper's readings less those of the consistent facet, the largest of three, on "
+    f"the {NAMES[LONGEST_DAY]}."
 )
 PLANES_OFF = (
     "How far S-joints are out of the planes of their hinges by the paper's readings, the furthest "
-    "of three, June solstice."
+    f"of three, on the {NAMES[LONGEST_DAY]}."
 )
 
 
@@ -138,7 +139,7 @@ def astray(kernels, size, angles, lengths):
 
 
 def over_the_day(kernels, sun, parameters, size):
-    """Both measures through the June solstice."""
+    """Both measures through the longest day."""
     clock = hours(parameters)
     angles = four(attitude(kernels, sun, parameters, LONGEST_DAY, clock))
     own = kernels.rod_lengths(**angles, **size).l

@@ -136,7 +136,7 @@ def attitudes_in_mujoco(kernels, native, sun, parameters, results):
         f"As it stands in MuJoCo after {settling:g} s under the tuned PID in real time, seen "
         f"from azimuth {EYE_AZIMUTH:.0f} degrees, {EYE_ELEVATION:.0f} degrees above the horizon."
     )
-    yield Panels(f"Fig. 16: the concentrator, {day_of(parameters)}.", drawings)
+    yield Panels(f"Fig. 16: the concentrator at three times ({day_of(parameters)}).", drawings)
     yield Table(
         "Fig. 16 in numbers: the facets' points M in MuJoCo, and how far they and the normals are "
         "from where they should be.",

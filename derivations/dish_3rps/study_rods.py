@@ -8,6 +8,7 @@ from armillary.verify.study import Column, Heading, Prose, Table
 from .days import (
     FACETS,
     MM,
+    NAMES,
     RODS,
     attitude,
     clock_words,
@@ -33,7 +34,7 @@ def rods(kernels, sun, parameters):
         angles = attitude(kernels, sun, parameters, n, clock)
         lengths[n] = MM * kernels.rod_lengths_all(**angles, **size).l
         yield Panels(
-            f"Fig. 6 ({letter}): the rods of the four facets, {name}.",
+            f"Fig. 6 ({letter}): lengths of the rods of the four facets {on(name)}.",
             [
                 Plot(
                     f"facet {facet}", "clock time, h", "length, mm",
@@ -108,6 +109,11 @@ def suffice(lengths, parameters):
     )
 
 
+def on(name):
+    """A day as it stands in a sentence."""
+    return f"on the {name}" if name in NAMES.values() else f"on {name}"
+
+
 def through_the_year(kernels, sun, parameters, size, lengths):
     """Whether the four days hold the extremes of all."""
     clock = hours(parameters, COARSE)
@@ -151,7 +157,10 @@ def speeds(kernels, sun, parameters, size, days):
         rows.append((name, found[t, facet, rod], where, *found.max(axis=(0, 1))))
         curves.append(Curve(name, clock, found.reshape(len(clock), -1).max(axis=1)))
     yield Plot(
-        "The fastest of the twelve rods.", "clock time, h", Axis("speed, mm/min", low=0.0), curves
+        "Speed of the fastest of the twelve rods through the days.",
+        "clock time, h",
+        Axis("speed, mm/min", low=0.0),
+        curves,
     )
     yield Table(
         "Largest speed of the rods.",

@@ -21,11 +21,12 @@ def sun_paths(kernels, sun, parameters):
     clock, days = hours(parameters, FINE), day_names(parameters)
     paths = {n: path(sun, parameters, n, clock) for n in days}
     yield Plot(
-        "Fig. 4 (a): altitude of the sun.", "clock time, h", "altitude, degrees",
+        "Fig. 4 (a): altitude of the sun through the days.", "clock time, h", "altitude, degrees",
         [Curve(days[n], clock[::5], p["altitude"][::5]) for n, p in paths.items()],
     )  # fmt: skip
     yield Panels(
-        "Fig. 4 (b): azimuth of the sun, which the paper's caption calls zenith angle.",
+        "Fig. 4 (b): azimuth of the sun through the days; the paper's caption calls it zenith "
+        "angle.",
         [
             Plot(
                 name, "clock time, h", "azimuth, degrees",

@@ -30,7 +30,7 @@ hours = p.scalar(
 delta = p.define(
     "delta_day",
     substitute(sun["declination_cosine"], {day: number_of_day}),
-    because="(25), mended.",
+    because="(25) gives it once the 365 that stands twice is left out.",
     meaning="declination on the four days",
     latex=r"\delta",
 )
@@ -46,14 +46,14 @@ def on_days(value):
 altitude = p.define(
     "altitude_day",
     on_days(sun["elevation_of_sun"]) / degree,
-    because="(27) and (28), at 40 degrees north.",
+    because="The two directions of (27) and (28) enclose the rest of a right angle.",
     meaning="altitude of the sun on the four days, in degrees",
     latex=r"\theta",
 )
 daylight = p.define(
     "daylight",
     on_days(2 * sun["sunset"]) / degrees(15),
-    because="(30), at 40 degrees north.",
+    because="The sun is up from the first to the second hour of (30).",
     meaning="hours from sunrise to sunset on the four days",
     latex=r"\Delta h",
 )
@@ -121,14 +121,14 @@ def on_equinox(value, time=hours_up):
 lengths = p.define(
     "q_day",
     on_equinox(q),
-    because="(4), with Table 1.",
+    because="(4) gives the length for the dimensions of Table 1, with the sun faced.",
     meaning="length of leg i on the equinox",
     latex="q",
 )
 mirrored = p.define(
     "q_mirrored",
     on_equinox(q, 24 - hours_up),
-    because="As long before noon as the other is after it.",
+    because="The time is as long before noon as the other is after it.",
     meaning="length of leg i on the equinox at 24 h - h",
     latex=r"\tilde{q}",
 )

@@ -36,7 +36,7 @@ UP = vector(0, 0, 1)
 g = p.define(
     "g_W",
     -rr.quantity("g") * UP,
-    because="As in the text after (19).",
+    because="The text after (19) has it along the negative Z axis.",
     meaning="acceleration of free fall, world axes",
     latex=r"\mathbf{g}",
 )
@@ -58,28 +58,28 @@ def tensor(rotation, moments, spin):
 Omega = p.define(
     "Omega_W",
     alpha_dot * UP + beta_dot * (elementary(Z, alpha) @ vector(1, 0, 0)),
-    because="Each rate about its axis.",
+    because="The platform turns about Z by alpha, and about the level axis that follows by beta.",
     meaning="angular velocity of the platform, world axes",
     latex=r"\boldsymbol{\omega}",
 )
 Omega_dot = p.define(
     "Omega_dot_W",
     time_derivative(Omega),
-    because="A vector of the world.",
+    because="In the axes of the world, which stand still, components are differentiated.",
     meaning="angular acceleration of the platform, world axes",
     latex=r"\dot{\boldsymbol{\omega}}",
 )
 r_c = p.define(
     "r_c",
     R_m @ r_sc,
-    because="As in the text after (19).",
+    because="The text after (19) turns it with the platform.",
     meaning="centre of mass of the platform from o, world axes",
     latex=r"\mathbf{r}_{sc}",
 )
 a_c = p.define(
     "a_c",
     time_derivative(time_derivative(r_c)),
-    because="o stands still.",
+    because="o stands still, so that only what is from o to the mass centre moves.",
     meaning="acceleration of the platform's centre of mass, world axes",
     latex=r"\dot{\mathbf{v}}_{sc}",
 )
@@ -87,7 +87,7 @@ AT_CENTRE = "true where v_s is the velocity of the centre of mass"
 o_dot = p.define(
     "v_o_dot",
     vector(0, 0, 0),
-    because="v_o = 0, says the text after (22).",
+    because="The text after (22) says that v_o is 0.",
     meaning="acceleration of o",
     latex=r"\dot{\mathbf{v}}_o",
 )
@@ -101,7 +101,7 @@ p.equation(
 n_m = p.define(
     "n_m",
     R_m @ -rr["moment_m"] + r_c.cross(m_m * g) + n_d,
-    because="What turns it, its weight, and what disturbs it.",
+    because="It is what weight and disturbance do about o, less the rate of its angular momentum.",
     meaning="moment on the platform about o, less what turns it, world axes",
     latex=r"\mathbf{n}_m",
 )
@@ -118,7 +118,7 @@ for letter, mass, moments, acceleration, place, which in LINKS:
     f_of[letter] = p.define(
         f"f_{letter}",
         -mass * acceleration + mass * g,
-        because="Its weight, less what accelerates it.",
+        because="Of its weight, what accelerates it is not left for the leg to hold.",
         meaning=f"force on the {which} link at its centre of mass, less what accelerates it, "
         "world axes",
         latex=rf"\mathbf{{f}}_{letter}",
@@ -126,7 +126,7 @@ for letter, mass, moments, acceleration, place, which in LINKS:
     n_of[letter] = p.define(
         f"n_{letter}",
         leg_frame @ -Body(mass, moments).moment(rr["omega"], rr["omega_dot"]),
-        because="Weight has no moment about the centre of mass.",
+        because="About its centre of mass weight has no moment, so that inertia alone is left.",
         meaning=f"moment on the {which} link about its centre of mass, less what turns it, world "
         "axes",
         latex=rf"\mathbf{{n}}_{letter}",
@@ -134,7 +134,7 @@ for letter, mass, moments, acceleration, place, which in LINKS:
     places[letter] = p.define(
         f"r_{letter}ic",
         place,
-        because="The position vector from the origin of the leg's frame, Q_i.",
+        because="The paper's position vector starts at the origin of the leg's frame, Q_i.",
         meaning=f"centre of mass of the {which} link from Q_i, world axes",
         latex=rf"\mathbf{{r}}_{{{letter}c}}",
     )
@@ -144,7 +144,7 @@ for letter, mass, moments, acceleration, place, which in LINKS:
         -tensor(leg_frame, moments, omega_dot)
         - omega.cross(turned)
         + places[letter].cross(mass * g),
-        because="(20) as it stands.",
+        because="(20) adds a moment of the weight about Q_i, and is taken as it stands.",
         meaning=f"moment on the {which} link by (20), world axes",
         latex=rf"\mathbf{{n}}_{{{letter}(20)}}",
     )
@@ -173,7 +173,9 @@ p.equation(
     claims=f_of["s"],
     printed=-m_s * a_s + m_s * g,
 )
-p.unchecked("21", "forces of the drives", "It names the three forces.")
+p.unchecked(
+    "21", "forces of the drives", "It gives a name to the three forces, and states nothing of them."
+)
 
 # ---- Virtual work ----
 

@@ -68,7 +68,7 @@ def columns(name, jacobian, letter):
         p.define(
             f"{name}_{k + 1}",
             jacobian.column_vector(k),
-            because="The paper prints the matrix whole.",
+            because="A product with the matrix is taken column by column.",
             meaning=f"column {k + 1} of {name}",
             latex=rf"\mathbf{{J}}_{{{letter}{k + 1}}}",
         )
@@ -170,7 +170,7 @@ p.equation("4", words="length of leg i", claims=q, printed=(b - h0 - a).norm())
 w_5 = p.define(
     "w_5",
     (b - h0 - a) / q,
-    because="(5) as it stands.",
+    because="(5) divides what leads from P_i to Q_i by the length, and is taken as it stands.",
     meaning="direction of leg i by (5)",
     latex=r"\mathbf{w}_{(5)}",
 )

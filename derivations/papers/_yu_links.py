@@ -33,7 +33,7 @@ T_O, S_O = (
     p.define(
         f"{letter}_O",
         b + from_Q_i,
-        because="The static frame has its origin at O.",
+        because="The static frame has its origin at O, from which Q_i stands at b_i.",
         meaning=f"centre of mass {letter}_i in the static frame",
         latex=rf"\mathbf{{{letter}}}_O",
     )
@@ -89,7 +89,7 @@ p.equation(
 q_S = p.define(
     "q_S",
     q - s,
-    because="(13) and (14) print it in brackets.",
+    because="The second link ends at P_i, and its centre of mass is s_i before that.",
     meaning="distance from Q_i to the second link's centre of mass",
     latex="q_S",
 )
@@ -141,7 +141,7 @@ def products(letter, jacobian, symbol):
         p.define(
             f"{name}_{letter}",
             value,
-            because="As (17) and (18) have it.",
+            because="(17) and (18) print it as one of two terms of an acceleration.",
             meaning=meaning,
             latex=latex,
         )

@@ -153,7 +153,7 @@ V_PKM = rr["V_PKM"]
 V_west = p.define(
     "V_west",
     elementary(X, latitude - right) @ rr["R_m"].column(Z),
-    because="With the first axis of the base to the west, as that of the celestial frame.",
+    because="The first axis of the base points west, as that of the celestial frame does.",
     meaning="normal of the platform on a base with X to the west and Y to the south",
     latex=r"\mathbf{V}_\mathrm{west}",
 )
@@ -202,14 +202,14 @@ p.equation("32'", words="tilt", claims=beta_sun, printed=arccos(cH * cd * cP + c
 turn = p.define(
     "alpha_32",
     arctan(sH * cd, south_of_it),
-    because="(32) with its misprint mended.",
+    because="(32) gives it with the cosine of the declination for its sine.",
     meaning="turn about the vertical by (32), mended",
     latex=r"\alpha_{(32)}",
 )
 tilt = p.define(
     "beta_32",
     arccos(height),
-    because="(32) with its misprint mended.",
+    because="(32) gives it with the right side of (29), of which it is the arc cosine.",
     meaning="tilt by (32), mended",
     latex=r"\beta_{(32)}",
 )
@@ -244,21 +244,21 @@ H_ddot = H_dot.rate("H_ddot", "rate of H_dot")
 seen = p.define(
     "c_t",
     substitute(c, {hour_angle: -H_t}),
-    because="At a declination that is held.",
+    because="Within a day the hour angle moves and the declination is held.",
     meaning="unit vector to the sun, by H",
     latex=r"\mathbf{c}",
 )
 seen_dot = p.define(
     "c_t_dot",
     time_derivative(seen),
-    because="Differentiate.",
+    because="Only H moves, so that its rate is a factor of every term.",
     meaning="its rate",
     latex=r"\dot{\mathbf{c}}",
 )
 seen_ddot = p.define(
     "c_t_ddot",
     time_derivative(seen_dot),
-    because="Once more.",
+    because="It has a term of the rate of H_dot, and one of its square.",
     meaning="its second derivative",
     latex=r"\ddot{\mathbf{c}}",
 )
@@ -267,14 +267,14 @@ for name, keys in (("alpha", ("33", "33'")), ("beta", ("33''", "33'''"))):
     slope = p.define(
         f"{name}_slope",
         partial(substitute(rr[f"{name}_aim"], moving), H_t),
-        because="At a declination that is held.",
+        because="(33) differentiates by H alone, with the declination held.",
         meaning=f"derivative of {name} by H",
         latex=rf"\frac{{\mathrm{{d}}\{name}}}{{\mathrm{{d}}H}}",
     )
     bend = p.define(
         f"{name}_bend",
         partial(slope, H_t),
-        because="Once more.",
+        because="The slope changes with H, which (33) needs for the acceleration.",
         meaning=f"second derivative of {name} by H",
         latex=rf"\frac{{\mathrm{{d}}^2\{name}}}{{\mathrm{{d}}H^2}}",
     )

@@ -12,15 +12,26 @@ from ._yu_kinematics import b, leg, p, q, rr
 
 _FILE = Path(__file__).parents[1] / "rr_3ups" / "parameters.toml"
 TABLES = tomllib.loads(_FILE.read_text())
-values = {name: one["value"] for part in ("mount", "bodies") for name, one in TABLES[part].items()}
+values = {
+    name: one["value"]
+    for part in ("mount", "bodies")
+    for name, one in TABLES[part].items()
+    if one["provenance"] == "printed"
+}
 
 p.assume(
     "The centre of mass of a link is on its leg, at the distances t_i and s_i of Table 1 from Q_i "
     "and P_i, as (11) and (13) have it; y is the axis along the leg."
 )
 p.assume(
-    "Where a finding needs the mass centre of the platform, which Table 1 does not have, it is at "
-    "o; where it needs the mounting angles, they are those of the text after (2)."
+    "Table 1 does not have the mass centre of the platform with its mirror. What stands on it is "
+    "told with the mass centre at o, where the platform weighs nothing on the drives, and judged "
+    "by whether another place, y_c and z_c from o in the axes of the platform, gives what is "
+    "stated. Its x does not enter: the weight turns the platform about its level axis, x, only."
+)
+p.assume(
+    "The mounting angles are those of the text after (2), the acceleration of free fall that of "
+    "the text after (19)."
 )
 
 
@@ -57,12 +68,24 @@ def row_of(name):
 
 table = {name: row_of(name) for name in values}
 given = {rr.quantity(name): value for name, value in table.items()}
+p.example_at(given)
+y_c, z_c = (
+    p.scalar(
+        f"{axis}_c",
+        f"{axis} of the platform's mass centre, from o in the platform's axes",
+        unit=METRE,
+        range=(-0.16, 0.16),
+        latex=f"{axis}_c",
+    )
+    for axis in "yz"
+)
+centre = {rr.quantity("r_sc"): vector(0, y_c, z_c)}
 
 
 def by_table(value):
     """A value of the mechanism with those numbers of Table 1 that it stands on."""
     needed = leaves(value)
-    return substitute(value, {q: number for q, number in given.items() if q in needed})
+    return substitute(value, {q: x for q, x in (given | centre).items() if q in needed})
 
 
 # ---- Bodies that there can be ----

@@ -27,7 +27,7 @@ alpha_before = d.angle(
 beta_before = d.angle(
     "beta_before",
     "tilt of the platform before the move",
-    range=(-1.5, 1.5),
+    range=(-1.6, 1.6),
     latex=r"\beta_\mathrm{b}",
 )
 zenith_tolerance = d.constant(
@@ -156,7 +156,8 @@ ahead = d.define(
 aside = d.define(
     "aside",
     enu.x * cos(alpha_before) + enu.y * sin(alpha_before),
-    because="What the tilt alone cannot reach.",
+    because="The tilt moves the normal square to its axis: what the sun has along that axis alpha "
+    "must reach.",
     meaning="part of the sun's direction along the axis of the tilt before",
     latex=r"c_\perp",
 )
@@ -175,7 +176,8 @@ kept = d.define(
 flips = d.define(
     "flips",
     kept < 0,
-    because="The other attitude is nearer.",
+    because="The attitude before has the larger trace with the other attitude, which is so the "
+    "nearer.",
     meaning="whether the platform faces the sun with beta < 0, but for whole turns",
     latex=r"\mathit{flips}",
 )

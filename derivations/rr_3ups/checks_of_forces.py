@@ -6,9 +6,13 @@ from armillary.verify.engines import need
 from armillary.verify.measured import compare
 
 from .checks_of_kinematics import SPED, slopes_of
+from .derivation import derivation
 from .reference import dot, jacobian, platform, platform_demand, times
 from .samples import call, fast
 from .solved import by_pinocchio
+
+OF_TWO = {"generalized_force_two_legs": "tau", "forces_two_legs": "F", "power_two_legs": "P"}
+PER_LEG = ("r", "phi", "R", "theta", "h", "zeta", "t", "s", "m_t", "m_s", "I_t", "I_s")
 
 
 def forces_by_algebra(kernels):
@@ -66,17 +70,36 @@ def preload_does_nothing(kernels):
 
 
 def third_leg_is_absent(kernels):
-    """Nothing of leg 3 tells in the forces of two legs."""
-    points, other = fast(6), fast(7)
-    swapped = dict(points)
-    for name in ("r", "phi", "R", "theta", "h", "zeta", "t", "s", "m_t", "m_s", "I_t", "I_s"):
-        swapped[name] = points[name].copy()
-        swapped[name][:, 2] = other[name][:, 2]
-    kernel = kernels.forces_two_legs
-    yield compare(
-        "another third leg changes nothing", "forces_two_legs", call(kernel, swapped).F,
-        call(kernel, points).F, 0.0, points, "forces_two_legs",
-    )  # fmt: skip
+    """Nothing of leg 3 tells where two legs drive: neither another one nor an absurd one."""
+    points = fast(6)
+    for what, third in (
+        ("another third leg", fast(7)),
+        ("a third leg at the lower limits", _at_limits(points, 0)),
+        ("a third leg at the upper limits", _at_limits(points, 1)),
+        ("a third leg without length", _without_length(points)),
+    ):
+        swapped = {**points, **{name: points[name].copy() for name in PER_LEG}}
+        for name in PER_LEG:
+            swapped[name][:, 2] = third[name][:, 2]
+        for kernel, name in OF_TWO.items():
+            found, wanted = (call(getattr(kernels, kernel), each) for each in (swapped, points))
+            yield compare(
+                f"{what} changes nothing", kernel, getattr(found, name), getattr(wanted, name), 0.0,
+                points, kernel,
+            )  # fmt: skip
+            yield compare(f"{what} is no matter", kernel, found.status, 0, 0.0, points, kernel)
+
+
+def _at_limits(points, end):
+    """Legs of which every quantity is at the end of what a kernel takes."""
+    given = {q.name: q for q in derivation.kernels["generalized_force_two_legs"].parameters}
+    return {name: np.full_like(points[name], given[name].facts.limits[end]) for name in PER_LEG}
+
+
+def _without_length(points):
+    """Legs whose spherical joint is at o and whose universal joint is there too."""
+    found = {name: np.zeros_like(points[name]) for name in PER_LEG}
+    return {**found, "h": np.repeat(points["h_0"][:, None], 3, axis=1)}
 
 
 def massless_legs(kernels):

@@ -6,8 +6,9 @@ from armillary import Status
 from armillary.verify.engines import need
 from armillary.verify.measured import compare
 
-from .reference import UP, about, determinant, ends, jacobian, slopes, times
-from .samples import TABLE, call, joined, of_table
+from .checks_of_kinematics import MOTION
+from .reference import UP, about, determinant, ends, jacobian, slopes, spin_free_motion, times
+from .samples import ACCELERATIONS, RATES, TABLE, call, joined, of_table
 from .solved import least_norm, solve
 
 MOUNTED = 0.7  # rad, of the universal joints where legs stand along their axes
@@ -110,7 +111,7 @@ def equinox_path(kernels):
 
 def singularity_by_numpy(kernels):
     """The measures of what holds, over the whole plane of the angles."""
-    points = of_table(np.random.default_rng(33).uniform([-3.2, -1.5], [3.2, 1.5], (300, 2)))
+    points = of_table(np.random.default_rng(33).uniform([-3.2, -1.6], [3.2, 1.6], (300, 2)))
     J = jacobian(points)
     found = call(kernels.singularity, points)
     for name, wanted in (
@@ -183,6 +184,18 @@ def legs_without_direction(kernels):
     yield from _told(
         kernels, turning, along, Status.UNREACHABLE, "a leg stands along its joint's first axis"
     )
+    for name in RATES + ACCELERATIONS:
+        along[name] = np.random.default_rng(36).uniform(-3.0, 3.0, len(along[name]))
+    found = call(kernels.leg_motion_spin_free, along)
+    what = "a leg that does not spin moves along its joint's first axis too"
+    yield from _told(kernels, {"leg_motion_spin_free": "omega"}, along, Status.OK, what)
+    with np.errstate(invalid="ignore"):  # the reference's joint axes, which this does not ask for
+        wanted = spin_free_motion(along)
+    for name, value in zip(MOTION, wanted, strict=True):
+        yield compare(
+            f"{what}: {name}", "NumPy", getattr(found, name), value, 1e-13, along,
+            "leg_motion_spin_free",
+        )  # fmt: skip
 
 
 def legs_nearly_along(kernels):

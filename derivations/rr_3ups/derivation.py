@@ -62,7 +62,16 @@ ALONG = (
         "joint gives it every motion"
     ),
 )
+ALONG_FREE = (
+    Status.UNREACHABLE,
+    along_axis,
+    (
+        "a leg stands along the first axis of its universal joint, within 1e-5: the axes of its "
+        "moments of inertia have no direction"
+    ),
+)
 MOVED = [NO_LEG, ALONG]
+MOVED_FREE = [NO_LEG, ALONG_FREE]
 MOVED_2 = [
     (Status.UNREACHABLE, no_leg_2, NO_LEG[2]),
     (Status.UNREACHABLE, along_axis_2, ALONG[2]),
@@ -82,6 +91,10 @@ LOOSE_2 = (
         "two drives do not hold the platform, |det_2| is at most 1e-5 (r_1^2 + r_2^2): forces are "
         "given as 0, so hold the axes"
     ),
+)
+ABSENT = (
+    "Its parameters must be legal, 0 serves, and no result depends on them; a call still works "
+    "through three legs in its loop, and leaves the third aside."
 )
 
 # ---- platform and legs ----
@@ -147,8 +160,9 @@ d.kernel(
     "leg_motion_spin_free",
     inputs=STATE,
     outputs={"omega": omega_free_W, "omega_dot": omega_free_dot_W, **_centres},
-    cases=MOVED,
-    summary="The same of legs that do not spin, as the paper takes them.",
+    cases=[NO_LEG],
+    summary="The same of legs that do not spin, as the paper takes them: also where a leg stands "
+    "along the first axis of its universal joint.",
 )
 d.kernel(
     "singularity",
@@ -173,14 +187,13 @@ d.kernel(
     inputs=loaded,
     outputs={"tau": tau_2},
     cases=MOVED_2,
-    summary="The same where leg 3 is absent with its masses: its parameters must be legal, 0 "
-    "serves, and are not felt.",
+    summary="The same where leg 3 is absent with its masses. " + ABSENT,
 )
 d.kernel(
     "generalized_force_spin_free",
     inputs=loaded,
     outputs={"tau": tau_free},
-    cases=MOVED,
+    cases=MOVED_FREE,
     summary="The same of legs that do not spin, as the paper takes them.",
 )
 d.kernel(
@@ -194,7 +207,7 @@ d.kernel(
     "forces_spin_free",
     inputs=loaded,
     outputs={"F": F_free},
-    cases=[*MOVED, LOOSE],
+    cases=[*MOVED_FREE, LOOSE],
     summary="The same of legs that do not spin, as the paper takes them.",
 )
 d.kernel(
@@ -209,8 +222,7 @@ d.kernel(
     inputs=loaded,
     outputs={"F": F_2},
     cases=[*MOVED_2, LOOSE_2],
-    summary="Forces of the drives of legs 1 and 2 where leg 3 is absent with its masses: its "
-    "parameters must be legal, 0 serves, and are not felt.",
+    summary="Forces of the drives of legs 1 and 2 where leg 3 is absent with its masses. " + ABSENT,
 )
 d.kernel(
     "internal_forces",
@@ -234,7 +246,8 @@ d.kernel(
     inputs=loaded,
     outputs={"P": P_2},
     cases=[*MOVED_2, LOOSE_2],
-    summary="Mechanical power of the drives of legs 1 and 2 where leg 3 is absent.",
+    summary="Mechanical power of the drives of legs 1 and 2 where leg 3 is absent with its masses. "
+    + ABSENT,
 )
 d.kernel(
     "copper_power",

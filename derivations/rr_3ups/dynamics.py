@@ -57,21 +57,21 @@ a_S = d.define(
 f_T = d.define(
     "f_T",
     Body(m_t, I_t).force(a_T + fall),
-    because="Newton's law, weight included.",
+    because="Newton's law; a link at rest asks for its weight, as if it accelerated upwards by g.",
     meaning="force that the first link asks for at its centre of mass, leg axes",
     latex=r"\mathbf{f}_T",
 )
 f_S = d.define(
     "f_S",
     Body(m_s, I_s).force(a_S + fall),
-    because="Newton's law, weight included.",
+    because="Newton's law; a link at rest asks for its weight, as if it accelerated upwards by g.",
     meaning="force that the second link asks for at its centre of mass, leg axes",
     latex=r"\mathbf{f}_S",
 )
 I_leg = d.define(
     "I_leg",
     I_t + I_s,
-    because="The links turn together.",
+    because="The links slide along each other and turn as one, so that what turns them adds.",
     meaning="moments of inertia of both links of leg i, each about its centre of mass, leg axes",
     latex=r"\mathbf{I}",
 )
@@ -82,7 +82,8 @@ def demand_of(legs, omega, omega_dot, mark, which):
     moment = d.define(
         f"moment{mark}",
         Body(number(0), I_leg).moment(omega, omega_dot),
-        because="Euler's equations.",
+        because="Euler's equations about each link's centre of mass, in the leg's axes, where the "
+        "moments are principal.",
         meaning=f"moment that turns both links of leg i{which} about their centres of mass, "
         "leg axes",
         latex=r"\mathbf{n}",
@@ -94,7 +95,8 @@ def demand_of(legs, omega, omega_dot, mark, which):
             moment.y,
             moment.z - t * f_T.x - (length - s) * f_S.x,
         ),
-        because="The forces have arms along the leg.",
+        because="The moment about the joint: each force at a centre of mass adds its arm along the "
+        "leg times the force across it.",
         meaning=f"moment about universal joint i that moves its leg{which}, leg axes",
         latex=r"\mathbf{M}",
     )
@@ -133,14 +135,15 @@ tilt = elementary(X, -beta)
 z_m = d.define(
     "z_m",
     tilt @ vector(0, 0, 1),
-    because="The vertical, seen from the platform.",
+    because="The tilt, turned back: from the platform the vertical leans the other way.",
     meaning="vertical axis, platform axes",
     latex=r"\mathbf{z}",
 )
 Omega_m = d.define(
     "Omega_m",
     vector(beta_dot, number(0), number(0)) + alpha_dot * z_m,
-    because="Each rate about its axis.",
+    because="Angular velocities add: the tilt about the platform's own x axis, the turn about the "
+    "vertical.",
     meaning="angular velocity of the platform, platform axes",
     latex=r"\boldsymbol{\Omega}",
 )
@@ -162,14 +165,15 @@ moment_m = d.define(
 n_turned = d.define(
     "n_turned",
     elementary(Z, -alpha) @ n_d,
-    because="The disturbance, seen with the platform.",
+    because="The level axis of the tilt is x in the axes turned with the platform.",
     meaning="disturbing moment, turned axes",
     latex=r"\mathbf{n}_{d,c}",
 )
 tau_alpha_m = d.define(
     "tau_alpha_m",
     z_m.dot(moment_m) - n_d.z,
-    because="Weight does nothing about the vertical.",
+    because="Euler's moment about the vertical, less what the disturbance gives; weight is "
+    "parallel to that axis and does nothing.",
     meaning="moment about the vertical that the platform asks for",
     latex=r"\tau_{\alpha,m}",
 )
@@ -212,7 +216,7 @@ tau_alpha, tau_beta = both((tau_alpha_leg, tau_beta_leg), "", "")
 tau = d.define(
     "tau",
     Matrix(((tau_alpha, tau_beta),)),
-    because="One for each angle.",
+    because="The platform has two freedoms: a moment about each axis.",
     meaning="generalised force that the drives must give: moments about the axes of alpha and beta",
     printed="23",
     unit=NEWTON_METRE,
@@ -231,7 +235,7 @@ tau_alpha_2, tau_beta_2 = (
 tau_2 = d.define(
     "tau_2",
     Matrix(((tau_alpha_2, tau_beta_2),)),
-    because="One for each angle.",
+    because="The platform has two freedoms: a moment about each axis.",
     meaning="generalised force that two drives must give where leg 3 is absent",
     unit=NEWTON_METRE,
     latex=r"\boldsymbol{\tau}_2",
@@ -240,13 +244,13 @@ tau_2 = d.define(
 # ---- the paper's legs, which do not spin ----
 
 _FREE = " that does not spin"
-omega_free, omega_dot_free = turning_of(free_joint, "_free", _FREE)
+_, _, omega_free, omega_dot_free = turning_of(free_joint, "_free", _FREE)
 _f_free = demand_of(free_joint, omega_free, omega_dot_free, "_free", _FREE)
 tau_alpha_free, tau_beta_free = both(works(_f_free, "_free", _FREE), "_free", " of spin-free legs")
 tau_free = d.define(
     "tau_free",
     Matrix(((tau_alpha_free, tau_beta_free),)),
-    because="One for each angle.",
+    because="The platform has two freedoms: a moment about each axis.",
     meaning="generalised force that the drives must give if legs do not spin",
     unit=NEWTON_METRE,
     latex=r"\boldsymbol{\tau}_\mathrm{free}",

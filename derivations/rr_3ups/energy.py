@@ -30,7 +30,7 @@ lead = d.scalar(
 P_q = d.define(
     "P_q",
     vector(*(F_q[k] * at(q_dot, leg, k) for k in range(leg.size))),
-    because="Force times speed.",
+    because="A drive does its force times the speed at which its leg extends.",
     meaning="mechanical power of the three drives",
     printed="34",
     latex=r"\mathbf{P}",
@@ -38,7 +38,7 @@ P_q = d.define(
 P_2 = d.define(
     "P_2",
     Matrix((tuple(F_2.rows[0][k] * at(q_dot, leg, k) for k in (0, 1)),)),
-    because="Force times speed.",
+    because="A drive does its force times the speed at which its leg extends.",
     meaning="mechanical power of the two drives where leg 3 is absent",
     unit=WATT,
     latex=r"\mathbf{P}_2",
@@ -61,7 +61,7 @@ current = d.define(
 P_copper = d.define(
     "P_copper",
     current * current * R_w,
-    because="The current heats the winding.",
+    because="The winding resists: its heat is the resistance times the square of the current.",
     meaning="heat of motor i",
     printed="35",
     latex=r"P_\mathrm{Cu}",
@@ -77,7 +77,7 @@ T_leg = d.define(
         + Body(m_s, I_s).kinetic_energy(_v_S, vector(0, 0, 0))
         + Body(number(0), I_leg).kinetic_energy(vector(0, 0, 0), omega)
     ),
-    because="Of two centres of mass, and of turning.",
+    because="A body's kinetic energy is that of its centre of mass and that of turning about it.",
     meaning="kinetic energy of both links of leg i",
     latex="T_i",
 )
@@ -91,7 +91,7 @@ T = d.define(
 V_leg = d.define(
     "V_leg",
     (m_t * (h + t * y_leg.z) + m_s * (h_0 + a_c.z - s * y_leg.z)) * g,
-    because="Weight times height.",
+    because="Potential energy is weight times the height of the centre of mass above the ground.",
     meaning="potential energy of both links of leg i, zero on the ground",
     latex="V_i",
 )

@@ -32,7 +32,7 @@ def of_legs(entry, letter):
     return d.define(
         f"column_{letter}",
         vector(*(at(entry, leg, k) for k in range(leg.size))),
-        because="A component for each leg.",
+        because="A column of J holds what one angle does to each of the three lengths.",
         meaning=f"what {letter} does to the three lengths, a component a leg",
         latex=rf"\mathbf{{J}}_\{letter}",
     )
@@ -56,7 +56,8 @@ gram = d.define(
 scale = d.define(
     "scale",
     total(r * r, over=leg),
-    because="Entries of J are no larger than r.",
+    because="An angle moves a spherical joint by at most r per radian, so that no entry of J "
+    "exceeds it.",
     meaning="sum of the squared distances of the spherical joints from o",
     latex=r"\Sigma r^2",
 )
@@ -92,7 +93,7 @@ F_free = least(tau_alpha_free, tau_beta_free, "_free", " of legs that do not spi
 internal = d.define(
     "internal",
     null * where(loose, number(0), 1 / sqrt(where(loose, one_like(gram), gram))),
-    because="The normal by its length.",
+    because="The normal does no work; divided by its length it has norm 1.",
     meaning="forces of norm 1 that do no work along any motion, 0 where drives do not hold",
     latex=r"\mathbf{n}_0 / |\mathbf{n}_0|",
 )
@@ -119,14 +120,16 @@ det_2 = d.define(
 scale_2 = d.define(
     "scale_2",
     at(r, leg, 0) * at(r, leg, 0) + at(r, leg, 1) * at(r, leg, 1),
-    because="Entries of J are no larger than r.",
+    because="An angle moves a spherical joint by at most r per radian, so that no entry of J "
+    "exceeds it.",
     meaning="sum of the squared distances of two spherical joints from o",
     latex=r"\Sigma_2 r^2",
 )
 loose_2 = d.define(
     "loose_2",
     ~(det_2 * det_2 > (hold_tolerance * scale_2) ** 2),
-    because="As for three legs.",
+    because="Where the two rows are parallel, some motion lengthens neither leg and no drive holds "
+    "it.",
     meaning="whether two drives do not hold the platform",
 )
 inverse_2 = d.define(
@@ -146,7 +149,8 @@ F_2 = d.define(
             ),
         )
     ),
-    because="Two equations for two forces.",
+    because="J^T F = tau is two equations for two forces: the inverse of a 2 by 2 matrix, written "
+    "out.",
     meaning="forces of the drives of legs 1 and 2 where leg 3 is absent; extending positive",
     unit=NEWTON,
     latex=r"\mathbf{F}_2",
@@ -158,7 +162,8 @@ norm_alpha, norm_beta, mixed = (
     d.define(
         name,
         left.dot(right),
-        because="An entry of J^T J.",
+        because="The eigenvalues of J^T J, whose entries are products of columns, tell how well "
+        "drives hold.",
         meaning=f"entry of J^T J: {what}",
         latex=latex,
     )

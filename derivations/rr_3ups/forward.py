@@ -57,7 +57,8 @@ beta_k = d.unknown("beta_k", "tilt, while it is looked for", unit=RADIAN, latex=
 apart = d.define(
     "apart",
     (b - h_0 * UP).dot(b - h_0 * UP) + a_m.dot(a_m),
-    because="Turns keep both arms.",
+    because="A turn keeps the length of both arms, so that this part of the squared length stands "
+    "still.",
     meaning="sum of the squared distances of both joints of leg i from o",
     latex="c_0",
 )
@@ -88,7 +89,7 @@ alpha_f = d.define(
 beta_f = d.define(
     "beta_f",
     wrap(found[1]),
-    because="Likewise.",
+    because="The second unknown of the same step.",
     meaning="tilt of the platform at which the search ends",
     latex=r"\beta^{+}",
 )
@@ -102,7 +103,8 @@ def of_legs(entry, name, meaning, latex):
     return d.define(
         name,
         vector(*(at(entry, leg, k) for k in range(leg.size))),
-        because="A component for each leg.",
+        because="The step takes sums over the legs, which are products of vectors with a component "
+        "a leg.",
         meaning=f"{meaning} where the search ends, a component a leg",
         latex=latex,
     )
@@ -122,7 +124,7 @@ normal = d.define(
 area = d.define(
     "area",
     normal.dot(normal),
-    because="The squared area that the columns span.",
+    because="The determinant of the normal equations is the squared area that the columns span.",
     meaning="determinant of the normal equations",
     latex=r"\det N",
 )
@@ -174,7 +176,7 @@ misfit = d.define(
 residual = d.define(
     "residual",
     sqrt(total(misfit * misfit, over=leg)),
-    because="One number for the three.",
+    because="One number tells a machine whose sensors disagree; it is 0 where the lengths fit.",
     meaning="what is left: root of the sum of the squared errors of the lengths",
     latex=r"\epsilon_\Sigma",
 )
@@ -190,7 +192,7 @@ d.kernel(
         ),
         (Status.NOT_CONVERGED, lost, "one more step would move an angle by more than 1e-4 rad"),
     ],
-    drawn={q_given: q, guess: near(Matrix(((alpha, beta),)), by=0.1)},
+    drawn={q_given: q, guess: near(Matrix(((alpha, beta),)), by=0.05)},
     summary="Angles of the platform at three lengths, by eight steps of Gauss and Newton's method "
     "from a guess: those whose squared lengths are the least off, in the sum of squares. The "
     "residual is 0 if the lengths fit together; if not, they contradict each other, or the search "

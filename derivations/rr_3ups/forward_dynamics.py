@@ -60,7 +60,7 @@ bias_alpha, bias_beta = held(tau_alpha, "alpha"), held(tau_beta, "beta")
 bias = d.define(
     "bias",
     Matrix(((bias_alpha, bias_beta),)),
-    because="One for each angle.",
+    because="The platform has two freedoms: a moment about each axis.",
     meaning="generalised force at no acceleration",
     unit=NEWTON_METRE,
     latex=r"\boldsymbol{\tau}_0",
@@ -97,7 +97,8 @@ carried = d.define(
 M_left = d.define(
     "M_left",
     M_bb - carried * M_ab,
-    because="What beta moves when alpha is free.",
+    because="Subtract the row of alpha, times the factor before: what is left weighs beta with "
+    "alpha free.",
     meaning="inertia of beta with alpha free",
     latex=r"H_{\beta\beta}'",
 )
@@ -110,14 +111,14 @@ massless = d.define(
 beta_found = d.define(
     "beta_ddot_found",
     (excess_beta - carried * excess_alpha) * reciprocal_or_zero(M_left, massless),
-    because="The row of beta, alpha eliminated.",
+    because="With alpha eliminated the row of beta is one equation for one acceleration.",
     meaning="acceleration of beta under the forces given",
     latex=r"\ddot{\beta}",
 )
 alpha_found = d.define(
     "alpha_ddot_found",
     where(massless, 0, (excess_alpha - M_ab * beta_found) * reciprocal_or_zero(M_aa, no_inertia)),
-    because="The row of alpha.",
+    because="The row of alpha, with beta's acceleration put in, is one equation for alpha's.",
     meaning="acceleration of alpha under the forces given",
     latex=r"\ddot{\alpha}",
 )

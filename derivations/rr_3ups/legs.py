@@ -137,7 +137,7 @@ no_leg_2 = d.define(
 length = d.define(
     "length",
     where(q > leg_tolerance, q, leg_tolerance),
-    because="The length that is divided by.",
+    because="What is divided by must not be 0; where the tolerance stands in, the status tells it.",
     meaning="length of leg i, at least the tolerance",
     latex="q^+",
 )
@@ -174,7 +174,7 @@ def bend(of, by, letters, latex):
     return d.define(
         f"H_{letters}",
         partial(of, by),
-        because="Once more.",
+        because="The gradient changes with the angles; how fast, the rate of the Jacobian asks.",
         meaning="second derivative of E, by " + " and ".join(latex[1]),
         latex=f"H_{{{latex[0]}}}",
     )
@@ -192,21 +192,21 @@ d.identity("either order serves", H_ab, partial(g_beta, alpha))
 J_alpha = d.define(
     "J_alpha",
     g_alpha / length,
-    because="q dq = dE.",
+    because="E is half the square of q but for what stands still, so that dE = q dq.",
     meaning="derivative of length i by alpha",
     latex=r"J_\alpha",
 )
 J_beta = d.define(
     "J_beta",
     g_beta / length,
-    because="q dq = dE.",
+    because="E is half the square of q but for what stands still, so that dE = q dq.",
     meaning="derivative of length i by beta",
     latex=r"J_\beta",
 )
 J = d.define(
     "J",
     Matrix(((J_alpha, J_beta),)),
-    because="A row for each leg.",
+    because="The length of a leg depends on the two angles alone: a row has two entries.",
     meaning="Jacobian from the rates of alpha and beta to those of the lengths, row i",
     printed="9",
     unit=METRE,
@@ -215,7 +215,7 @@ J = d.define(
 q_dot = d.define(
     "q_dot",
     J_alpha * alpha_dot + J_beta * beta_dot,
-    because="Row times rates.",
+    because="The chain rule: each angle changes the length at its own rate.",
     meaning="rate of length i",
     printed="8",
     latex=r"\dot{q}",
@@ -223,21 +223,21 @@ q_dot = d.define(
 E_a_dot = d.define(
     "E_a_dot",
     H_aa * alpha_dot + H_ab * beta_dot,
-    because="Row of second derivatives times rates.",
+    because="The chain rule for the first slope: each angle changes it at its own rate.",
     meaning="rate of the derivative of E by alpha",
     latex=r"\dot{g}_\alpha",
 )
 E_b_dot = d.define(
     "E_b_dot",
     H_ab * alpha_dot + H_bb * beta_dot,
-    because="Row of second derivatives times rates.",
+    because="The chain rule for the second slope.",
     meaning="rate of the derivative of E by beta",
     latex=r"\dot{g}_\beta",
 )
 J_dot = d.define(
     "J_dot",
     Matrix((((E_a_dot - q_dot * J_alpha) / length, (E_b_dot - q_dot * J_beta) / length),)),
-    because="q J = g; differentiate and divide.",
+    because="Differentiate q J = g, and solve for the rate of J.",
     meaning="rate of row i of the Jacobian",
     unit=METRE / SECOND,
     latex=r"\dot{J}",
@@ -252,7 +252,7 @@ _J_dot = J_dot.rows[0]
 q_ddot = d.define(
     "q_ddot",
     (J_alpha * alpha_ddot + J_beta * beta_ddot) + (_J_dot[0] * alpha_dot + _J_dot[1] * beta_dot),
-    because="Differentiate row times rates.",
+    because="The rate of J times the rates of the angles: both factors change.",
     meaning="acceleration of length i",
     latex=r"\ddot{q}",
 )

@@ -36,7 +36,7 @@ from .symbols import (
 y_leg = d.define(
     "y_leg",
     l_c / length,
-    because="Along the leg.",
+    because="A leg's y axis is its direction: the leg divided by its length.",
     meaning="y axis of leg i, turned axes",
     latex=r"\mathbf{y}",
 )
@@ -58,7 +58,7 @@ second = d.define(
 cos_psi = d.define(
     "cos_psi",
     second.norm(),
-    because="Both have length 1.",
+    because="The first axis and the leg have length 1, and stand apart by a quarter turn less psi.",
     meaning="cosine of the angle of leg i about its second axis",
     latex=r"\mathrm{c}\psi",
 )
@@ -72,7 +72,9 @@ sin_psi = d.define(
 along_axis = d.define(
     "along_axis",
     any_of(~(cos_psi > axis_tolerance), over=leg),
-    because="A leg along the first axis of its joint cannot turn every way.",
+    because="A leg along the first axis of its joint cannot turn every way: rates that are asked "
+    "for may be no motion of the machine. That is more than a free angle, so the status is "
+    "UNREACHABLE, not SINGULAR.",
     meaning="whether a leg stands along the first axis of its universal joint",
 )
 along_axis_2 = d.define(
@@ -84,7 +86,7 @@ along_axis_2 = d.define(
 cosine = d.define(
     "cosine",
     where(cos_psi > axis_tolerance, cos_psi, axis_tolerance),
-    because="The cosine that is divided by.",
+    because="What is divided by must not be 0; where the tolerance stands in, the status tells it.",
     meaning="cosine of psi of leg i, at least the tolerance",
     latex=r"\mathrm{c}\psi^+",
 )
@@ -98,14 +100,14 @@ tangent = d.define(
 x_leg = d.define(
     "x_leg",
     second / cosine,
-    because="The second axis.",
+    because="The leg turns about the second axis, which so stands still in the leg.",
     meaning="x axis of leg i, turned axes",
     latex=r"\mathbf{x}",
 )
 z_leg = d.define(
     "z_leg",
     leg_axes(y_leg, x_leg).z,
-    because="Right-handed.",
+    because="The third axis of a right-handed frame is the cross product of the two before.",
     meaning="z axis of leg i, turned axes",
     latex=r"\mathbf{z}",
 )
@@ -150,7 +152,8 @@ v = d.define(
         q_dot,
         P_alpha.z * alpha_dot + P_beta.z * beta_dot,
     ),
-    because="The two motions at their rates.",
+    because="Velocities add: what each angle does, times its rate. Along the leg that is the rate "
+    "of its length.",
     meaning="velocity of spherical joint i, leg axes",
     latex=r"\mathbf{v}",
 )
@@ -177,7 +180,7 @@ fall = d.define(
 acceleration = d.define(
     "acceleration",
     vector(x_leg.dot(P_ddot), y_leg.dot(P_ddot), z_leg.dot(P_ddot)),
-    because="Seen along the leg's axes.",
+    because="A leg's inertia is simple in its own axes, so what moves it is told in them.",
     meaning="acceleration of spherical joint i, leg axes",
     latex=r"\mathbf{a}_P",
 )
@@ -215,7 +218,7 @@ def turning_of(legs, mark, which):
         meaning=f"angular acceleration of leg i{which}, leg axes",
         latex=r"\dot{\boldsymbol{\omega}}",
     )
-    return omega, omega_dot
+    return spin, spin_rate, omega, omega_dot
 
 
 joint = UniversalLeg(length, tangent)
@@ -234,4 +237,4 @@ u_dot = d.define(
     meaning="acceleration of the direction of leg i, leg axes",
     latex=r"\ddot{\mathbf{w}}",
 )
-omega, omega_dot = turning_of(joint, "", "")
+spin, spin_rate, omega, omega_dot = turning_of(joint, "", "")

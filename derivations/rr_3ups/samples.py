@@ -100,7 +100,7 @@ def _drawn(random, count):
         "m_t": (1.0, 15.0), "m_s": (1.0, 15.0),
     }  # fmt: skip
     return {
-        "alpha": random.uniform(-np.pi, np.pi, count), "beta": random.uniform(-1.5, 1.5, count),
+        "alpha": random.uniform(-np.pi, np.pi, count), "beta": random.uniform(-1.6, 1.6, count),
         **{name: of_either_sign(1.0, 10.0) for name in names},
         **{name: random.uniform(*ends, (count, 3)) for name, ends in lengths.items()},
         "I_t": inertia(0.02, 1.0, 3), "I_s": inertia(0.02, 1.0, 3), "I_m": inertia(3.0, 10.0),

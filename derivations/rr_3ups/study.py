@@ -25,7 +25,7 @@ parts = [
     ("lengths", lengths),
     ("forces", forces),
     ("power", power),
-    Part("motor", motor, needs=("power", "forces")),
+    Part("motor", motor, needs=("power",)),
     ("singular", singular),
     ("bounds", bounds),
     ("heights", heights),

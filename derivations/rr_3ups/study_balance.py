@@ -7,6 +7,7 @@ import numpy as np
 from .study_basis import (
     CALM,
     SPRING,
+    around_noon,
     crossings,
     day_of,
     declination,
@@ -17,6 +18,8 @@ from .study_basis import (
     three,
     two,
 )
+
+ROUNDING = 1e-6
 
 
 @dataclass(frozen=True)
@@ -64,6 +67,15 @@ class Balance:
             for of in (self.three, self.two)
         ]  # fmt: skip
 
+    def heats(self, centre):
+        """Summed squared forces of both mechanisms, N^2: at sunrise, least, largest around noon."""
+        middle, found = around_noon(self.clock), []
+        for of in (self.three, self.two):
+            heat = (of.at(centre) ** 2).sum(axis=1)
+            ends = np.nanmin(heat[middle]), np.nanmax(heat[middle])
+            found.append([float(value) for value in (heat[0], *ends)])
+        return found
+
     def mechanical(self, centre):
         """Largest and mean size of the mechanical power of both mechanisms, W."""
         sizes = [
@@ -71,6 +83,13 @@ class Balance:
             for F in (self.three, self.two)
         ]
         return [(float(np.nanmax(P)), mean(P, self.clock)) for P in sizes]
+
+    def held_back(self):
+        """How many conditions on y and z of the mass centre the loose motions make: 0 to 3."""
+        rows = np.array([(of.value, *of.slopes[1:]) for of in self.loose])
+        if not rows.size:
+            return 0
+        return int(np.linalg.matrix_rank(rows, tol=ROUNDING * np.abs(rows).max()))
 
     def bounded(self, height):
         """Place y of the mass centre, given its height z, at which two drives have no pole."""

@@ -4,6 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from armillary.verify.study import text_of
+
 NAMES = ("summer solstice", "spring equinox", "autumn equinox", "winter solstice")
 SUMMER, SPRING, AUTUMN, WINTER = range(4)
 ANGLES = ("phi", "theta", "zeta")
@@ -11,11 +13,13 @@ LEGS = ("leg 1", "leg 2", "leg 3")
 STATE = ("alpha", "beta", "alpha_dot", "beta_dot", "alpha_ddot", "beta_ddot")
 SINGULAR = 2  # the status
 NOON = 12.0
+AROUND = 1.0  # h, within which a time is around noon
 DAY = 86400.0  # s
 HOUR = 3600.0  # s
 TURNING = 2 * np.pi / DAY  # rad/s, of the sun about the pole
 CALM = {"f_d": np.zeros(3), "n_d": np.zeros(3)}
 CLIPPED = 200.0  # N, beyond which a curve of the two drives is not drawn
+WITHIN = 0.05  # of a published figure, within which it is reproduced
 
 
 @dataclass(frozen=True)
@@ -48,6 +52,25 @@ def mount(parameters, **changed):
     size = {name: np.array(value, dtype=float) for name, value in given.items()}
     size.update({name: np.radians(size[name]) for name in ANGLES})
     return {**size, **changed}
+
+
+def near(ours, theirs):
+    """Whether a published figure is reproduced."""
+    return abs(ours - theirs) <= WITHIN * abs(theirs)
+
+
+def centre_words(parameters):
+    """Where the platform's mass centre is taken, in words."""
+    centre = parameters.bodies.r_sc
+    if not any(centre):
+        return "at o"
+    x, y, z = (text_of(1e3 * at, "g") for at in centre)
+    return f"at [{x} {y} {z}] mm from o"
+
+
+def around_noon(clock):
+    """Which solar times are around noon."""
+    return np.abs(np.asarray(clock) - NOON) <= AROUND + 1e-9
 
 
 def declination(parameters, which):

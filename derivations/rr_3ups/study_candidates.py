@@ -1,8 +1,9 @@
 """Some mass centres beside each other: forces, heat and mechanical power of both mechanisms."""
 
 from armillary.verify.plots import Curve, Plot
-from armillary.verify.study import Column, Table
+from armillary.verify.study import Column, Table, text_of
 
+from .study_basis import LEGS
 from .study_power import constant
 
 MM = 1e3
@@ -22,8 +23,8 @@ def forces(found, places, published):
         ("the paper", None, None, *theirs, published.peak_force, *published.mean_forces_two)
     )
     return Table(
-        "Forces on the equinox for some mass centres, beside the paper's; no value where they grow "
-        "without bound.",
+        "Forces on the equinox for some mass centres, beside the paper's"
+        + ("; no value where they grow without bound." if found.loose else "."),
         [
             "mass centre", Column("y", "mm", ".1f"), Column("z", "mm", ".1f"),
             *(Column(f"three drives: {name}", "N", ".1f") for name in NAMES),
@@ -37,13 +38,13 @@ def at_its_best(found, centre):
     """Forces of both mechanisms for a mass centre without poles."""
     F, F_2 = found.three.at(centre), found.two.at(centre)
     return Plot(
-        "Forces on the equinox with the mass centre above o that gives both mechanisms the paper's "
-        "peak and two drives no pole; leg 2 mirrors leg 1.",
+        f"Forces on the equinox with the mass centre at y = {text_of(MM * centre[1], '.1f')} mm, "
+        f"z = {text_of(MM * centre[2], '.1f')} mm, which gives both mechanisms the paper's peak "
+        "and two drives no pole.",
         "solar time, h", "force, N",
         [
-            Curve("leg 1, three drives", found.clock, F[:, 0]),
-            Curve("leg 3, three drives", found.clock, F[:, 2]),
-            Curve("leg 1, two drives", found.clock, F_2[:, 0]),
+            *(Curve(f"{leg}, three drives", found.clock, F[:, k]) for k, leg in enumerate(LEGS)),
+            *(Curve(f"{LEGS[k]}, two drives", found.clock, F_2[:, k]) for k in range(2)),
         ],
     )  # fmt: skip
 
@@ -68,20 +69,20 @@ def energies(found, places, parameters):
         other = other if has_no_pole(found, place) else None
         rows.append((
             name, KILO * k * one, None if other is None else KILO * k * other,
-            None if other is None else other / one, noon_by_dawn(found.three, place),
-            None if other is None else noon_by_dawn(found.two, place),
+            None if other is None else other / one, around_by_dawn(found, place)[0],
+            None if other is None else around_by_dawn(found, place)[1],
         ))  # fmt: skip
     low, high = published.energy
     rows.append(("the paper", low, high, high / low,
                  *(noon / published.peak_copper for noon in published.noon_copper)))  # fmt: skip
     return Table(
         f"Copper's heat on the equinox for the same mass centres, with {1e4 * k:.2f}·10⁻⁴ W/N². "
-        "The ratios hang on no motor.",
+        "The ratios hang on no motor; around noon is the largest within an hour of it.",
         [
             "mass centre", Column("three drives", "kJ", ".1f"), Column("two drives", "kJ", ".1f"),
             Column("two by three", "", ".2f"),
-            Column("three drives: noon by sunrise", "", ".2f"),
-            Column("two drives: noon by sunrise", "", ".2f"),
+            Column("three drives: around noon by sunrise", "", ".2f"),
+            Column("two drives: around noon by sunrise", "", ".2f"),
         ],
         rows,
     )  # fmt: skip
@@ -105,8 +106,23 @@ def mechanical(found, places):
     )  # fmt: skip
 
 
-def noon_by_dawn(of, place):
-    """Heat of all drives at noon by that at sunrise."""
-    F = of.at((0.0, *place))
-    noon = F[len(F) // 2]
-    return float((noon**2).sum() / (F[0] ** 2).sum())
+def around_by_dawn(found, place):
+    """Largest heat around noon by that at sunrise, of both mechanisms."""
+    return [most / dawn for dawn, _, most in found.heats((0.0, *place))]
+
+
+def told(found, name, place):
+    """What a mass centre gives, as the verdicts take it; two drives as far as they have it."""
+    centre = (0.0, *place)
+    mechanical = found.mechanical(centre)
+    figures = found.figures(centre).tolist(), found.figures_two(centre).tolist()
+    both = [
+        {"largest": largest, "means": means, "mechanical": power, "squares": squares,
+         "dawn": dawn, "least": least, "most": most}
+        for (largest, *means), power, squares, (dawn, least, most) in zip(
+            figures, mechanical, found.squares(centre), found.heats(centre), strict=True
+        )
+    ]  # fmt: skip
+    if not has_no_pole(found, place):
+        both[1] = {"mechanical": mechanical[1], "dawn": both[1]["dawn"]}
+    return {"name": name, "place": [float(at) for at in place], "drives": both}

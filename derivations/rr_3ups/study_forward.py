@@ -33,14 +33,29 @@ def forward(kernels, sun, parameters):
     yield Heading("From lengths to angles: how good must the guess be?")
     yield maps(kernels, size, days)
     yield basin(kernels, size)
-    yield on_the_days(kernels, size, days)
-    yield Prose(
-        "The basin is narrow where three drives hardly hold the platform: there some motion hardly "
-        "changes the lengths, and two attitudes with nearly the same lengths lie side by side. The "
-        "noon of the summer solstice passes by such a place. Another attitude whose lengths fit is "
-        "a true answer; another whose lengths do not is told by the residual."
-    )
+    sure = [sure_within(kernels, size, day) for day in days]
+    yield on_the_days(kernels, size, days, sure)
+    yield Prose(where_narrow(kernels, size, days, sure))
     yield discord(kernels, size, days[1])
+
+
+def where_narrow(kernels, size, days, sure):
+    """On which day the basin is narrowest, and how firmly three drives hold there."""
+    held = [float(kernels.singularity(**day.pose, **size).sigma_min.min()) for day in days]
+    narrow, loose = int(np.argmin(sure)), int(np.argmin(held))
+    said = (
+        f"The basin is narrowest on the {days[narrow].name}; the least singular value of the three "
+        f"drives, {1e3 * held[loose]:.0f} mm a radian, is that of the {days[loose].name}."
+    )
+    if narrow == loose:
+        said += (
+            " The two go together: where three drives hardly hold the platform some motion hardly "
+            "changes the lengths, and two attitudes with nearly the same lengths lie side by side."
+        )
+    return (
+        f"{said} Another attitude whose lengths fit is a true answer; another whose lengths do not "
+        "is told by the residual."
+    )
 
 
 def search(kernels, size, attitude, guess):
@@ -121,19 +136,25 @@ def basin(kernels, size):
     )  # fmt: skip
 
 
-def on_the_days(kernels, size, days):
+def sure_within(kernels, size, day):
+    """The largest of the distances, degrees, within which every guess about a day led back."""
+    attitude = np.stack([day.state["alpha"], day.state["beta"]], axis=-1)
+    good = [bool(leads_back(kernels, size, attitude, off).all()) for off in OFF]
+    first = good.index(False) if False in good else len(good)
+    return OFF[first - 1] if first else 0.0
+
+
+def on_the_days(kernels, size, days, sure):
     """A row for each day: how far every guess may be off, and searches from attitudes before."""
     rows = []
-    for day in days:
+    for day, within in zip(days, sure, strict=True):
         attitude = np.stack([day.state["alpha"], day.state["beta"]], axis=-1)
-        good = [leads_back(kernels, size, attitude, off).all() for off in OFF]
-        first = good.index(False) if False in good else len(good)
         step = 60 * (day.clock[1] - day.clock[0])
         lags = [max(1, round(minutes / step)) for minutes in BEFORE]
         shares = [
             100 * search(kernels, size, attitude[lag:], attitude[:-lag])[0].mean() for lag in lags
         ]
-        rows.append((day.name, OFF[first - 1] if first else 0.0, *shares))
+        rows.append((day.name, within, *shares))
     return Table(
         "On the ways of the days: the largest of the distances above within which every guess led "
         f"back, and the share of searches that lead back from an attitude of the same day before. "

@@ -9,6 +9,7 @@ from .study_basis import AUTUMN, LEGS, NAMES, SPRING, day_of, mount
 
 MM = 1e3
 MINUTE = 60.0  # s
+ROUNDING = 1e-9  # m
 
 
 def lengths(kernels, sun, parameters):
@@ -21,12 +22,12 @@ def lengths(kernels, sun, parameters):
     q = found[equinox.name]
     yield Heading("Fig. 5: lengths of the legs on the equinox")
     yield Plot(
-        "Fig. 5: lengths of the legs on the equinox.",
+        "Fig. 5: lengths of the legs on the equinox, from universal to spherical joint.",
         "solar time, h", "length, mm",
         [Curve(leg, equinox.clock, MM * q[:, i]) for i, leg in enumerate(LEGS)],
     )  # fmt: skip
     yield Table(
-        "Strokes and largest speeds.",
+        "Stroke, longest less shortest, and largest speed of each leg on the days.",
         [
             "day", *(Column(f"stroke, {leg}", "mm", ".1f") for leg in LEGS),
             *(Column(f"speed, {leg}", "mm/min", ".2f") for leg in LEGS),
@@ -45,12 +46,18 @@ def lengths(kernels, sun, parameters):
 
 def words(strokes, mirrored):
     """The paper's claim."""
-    apart = "to rounding" if mirrored < 1e-12 else f"but for {MM * mirrored:.3g} mm"
     little = strokes[2] < min(strokes[:2])
-    return (
+    said = (
         f"Leg 3 {'varies less' if little else 'does not vary less'} than the others: "
         f"{MM * strokes[2]:.0f} mm against {MM * strokes[0]:.0f} and {MM * strokes[1]:.0f}. "
+    )
+    if mirrored > ROUNDING:
+        return said + (
+            "Lengths 1 and 2 are not symmetric: length 1 in the morning and length 2 as long after "
+            f"noon are up to {MM * mirrored:.3g} mm apart."
+        )
+    return said + (
         "Symmetric can only mean mirrored: length 1 in the morning is length 2 in the afternoon, "
-        f"at the same time from noon, {apart}. Any mechanism with the symmetry of Table 1 has "
-        "that; at one and the same time the two lengths differ."
+        "at the same time from noon, to rounding, as of any mechanism that is its own mirror "
+        "image; at one and the same time the two lengths differ."
     )

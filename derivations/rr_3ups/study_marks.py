@@ -37,3 +37,17 @@ def zeros(row, x):
     found = np.flatnonzero(np.sign(row[1:]) != np.sign(row[:-1]))
     share = row[found] / (row[found] - row[found + 1])
     return x[found] + share * (x[found + 1] - x[found])
+
+
+def covering(levels, values):
+    """Levels of a map, with ends added where its values go beyond them."""
+    low, high = float(np.min(values)), float(np.max(values))
+    ends = [beyond(end) for end in (low, high)]
+    below = [ends[0]] if low < levels[0] else []
+    return [*below, *levels, *([ends[1]] if high > levels[-1] else [])]
+
+
+def beyond(value):
+    """The next number of two digits away from 0."""
+    unit = 10.0 ** (np.floor(np.log10(abs(value))) - 1)
+    return float(np.copysign(np.ceil(abs(value) / unit) * unit, value))

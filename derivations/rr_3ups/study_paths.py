@@ -3,7 +3,7 @@
 import numpy as np
 
 from armillary.verify.plots import Curve, Plot
-from armillary.verify.study import Column, Heading, Prose, Result, Table
+from armillary.verify.study import Column, Heading, Prose, Result, Table, text_of
 
 from .study_basis import (
     AUTUMN,
@@ -13,25 +13,27 @@ from .study_basis import (
     WINTER,
     clock_words,
     day_of,
-    declination,
     state_at,
     sunrise_and_sunset,
 )
 
 TURN = 2 * np.pi
+SAME = 1e-9  # rad: less is rounding
 
 
 def paths(kernels, sun, parameters):
     """Fig. 4."""
     days = [day_of(kernels, sun, parameters, which) for which in range(len(NAMES))]
+    angles = np.radians([calendar_day(sun, parameters, k) for k in (SPRING, AUTUMN)])
+    facts = {**figures(days), "calendar": float(abs(np.diff(angles)[0]))}
     yield Heading("Fig. 4: the angles of the four days")
     yield Plot(
-        "Fig. 4: tilt over turn of the platform through the four days; the equinoxes coincide.",
+        "Fig. 4: tilt over turn of the platform through the four days"
+        + ("; the equinoxes coincide." if facts["apart"] < SAME else "."),
         "α, degrees", "β, degrees",
         [Curve(day.name, *np.degrees([day.state["alpha"], day.state["beta"]])) for day in days],
     )  # fmt: skip
     yield table(days)
-    facts = figures(days)
     yield Prose(words(facts))
     yield from calendar(kernels, sun, parameters)
     yield Result("paths", facts)
@@ -84,28 +86,41 @@ def ordered(facts):
 def words(facts):
     """The claims, one by one."""
     order = "lie" if ordered(facts) else "do not lie"
-    same = facts["apart"] < 1e-9
+    same = facts["apart"] < SAME
     equinoxes = (
-        "The curves of the equinoxes are one because the sun stands over the equator on both, as "
-        "the paper says."
+        "The curves of the equinoxes are one, as the paper says, because the sun's declination is "
+        "taken as the same on both."
         if same
         else "The curves of the equinoxes are up to "
         f"{np.degrees(facts['apart']):.2f} degrees apart."
     )
-    return (
-        f"The curves {order} as in the paper, from the summer solstice's below to the winter "
-        "solstice's above; the summer's sun stands highest and its day is longest. "
-        f"{equinoxes} "
+    noon, length = facts["noon"], facts["length"]
+    highest = NAMES[int(np.argmin(noon))]
+    longest = NAMES[int(np.argmax(length))]
+    beyond = (
         f"In summer the platform turns beyond 90 degrees, for {facts['beyond']:.1f} h of the day; "
         "the arctangent of (32) cannot and would jump by half a turn there."
+        if facts["beyond"]
+        else "The platform never turns beyond 90 degrees, where (32) would jump."
     )
+    return (
+        f"The curves {order} as in the paper, from the summer solstice's below to the winter "
+        f"solstice's above; the sun stands highest on the {highest}, and the {longest} has the "
+        f"longest day. {equinoxes} {beyond}"
+    )
+
+
+def calendar_day(sun, parameters, which):
+    """Declination of a day by its number and (25), repaired; degrees."""
+    day = float(parameters.days.number[which])
+    return float(np.degrees(sun.cosine(day=day).declination))
 
 
 def calendar(kernels, sun, parameters):
     """The days by their numbers."""
     rows = []
     for name, which, number in zip(NAMES, range(4), parameters.days.number, strict=True):
-        found = float(np.degrees(sun.cosine(day=float(number)).declination))
+        found = calendar_day(sun, parameters, which)
         printed = parameters.days.declination[WINTER] * np.cos(365 * (number + 10) * TURN / 365)
         rows.append((name, number, parameters.days.declination[which], found, printed))
     yield Table(
@@ -122,10 +137,11 @@ def calendar(kernels, sun, parameters):
     clock = np.linspace(rise, set_, 721)
     both = [state_at(kernels, parameters, angle, clock) for angle in angles]
     off = [float(np.degrees(np.abs(both[0][k] - both[1][k]).max())) for k in ("alpha", "beta")]
+    taken = [text_of(parameters.days.declination[k], "g") for k in (SPRING, AUTUMN)]
     yield Prose(
         "(25) as printed has the factor 365 twice: its cosine is 1 on every whole day and every "
         "day is the winter solstice. Repaired, it puts the two equinoxes of the calendar "
         f"{abs(np.degrees(angles[0] - angles[1])):.2f} degrees apart, and their angles by up to "
-        f"{off[0]:.2f} degrees of α and {off[1]:.2f} of β. The study takes the sun over the "
-        f"equator, {np.degrees(declination(parameters, SPRING)):g} degrees, for both."
+        f"{off[0]:.2f} degrees of α and {off[1]:.2f} of β. The study takes declinations of "
+        f"{taken[0]} and {taken[1]} degrees; the paper has the sun over the equator."
     )

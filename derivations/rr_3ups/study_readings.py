@@ -4,9 +4,18 @@ import numpy as np
 
 from armillary.verify.study import Column, Heading, Prose, Table
 
-from .study_basis import day_of, mean, mount, sign_changes, three, two
+from .study_basis import centre_words, day_of, mean, mount, near, sign_changes, three, two
 
 HALF = np.pi
+BODIES = (
+    "weights of both links twice",
+    "weights of first links twice",
+    "no weight of the legs, mass centre 50 mm above o",
+    "mass centre at [200 0 0] mm",
+    "mass centre at [0 200 0] mm",
+    "mass centre at [0 0 200] mm",
+    "mass centre at [0 0 −200] mm",
+)
 
 
 def readings(kernels, sun, parameters):
@@ -21,9 +30,10 @@ def readings(kernels, sun, parameters):
     )
     yield Heading("Other readings")
     yield Prose(
-        "What is printed leaves choices. Each row changes one, the platform's mass centre at o "
-        "where it is not said otherwise. At the sun's pace a weight that is counted twice, as (20) "
-        "does for a mass centre along the leg, is a mass that is doubled."
+        "What is printed leaves choices. Each row changes one, the platform's mass centre "
+        f"{centre_words(parameters)} where it is not said otherwise. At the sun's pace a weight "
+        "that is counted twice, as (20) does for a mass centre along the leg, is a mass that is "
+        "doubled."
     )
     yield Table(
         "Forces on the equinox by reading; two drives have a largest force where they are not "
@@ -75,16 +85,40 @@ def figures(kernels, parameters, day, turn=0.0, sign=1.0, **changed):
 
 
 def words(rows, published):
-    """Whether any fits."""
+    """Whether any fits, and what two drives do."""
     *ours, theirs = rows
-    wanted = np.array(theirs[1:5])
-    off = [float(np.abs(np.array(row[1:5]) / wanted - 1).max()) for row in ours]
-    best = int(np.argmin(off))
-    singular = sum(row[5] > 0 for row in ours)
-    fits = "fits" if off[best] < 0.05 else "none fits"
-    return (
-        f"**{'One' if fits == 'fits' else 'Of these, none'} gives the paper's four figures of "
-        f"three drives**; the nearest, “{ours[best][0]}”, misses one by {100 * off[best]:.0f}%. In "
-        f"{singular} of {len(ours)} two drives are singular on the way; the mass centre and the "
-        "weights do not matter to that, the dimensions do."
+    fits = [row[0] for row in ours if all(near(a, b) for a, b in zip(row[1:5], theirs[1:5],
+                                                                     strict=True))]  # fmt: skip
+    off = [max(abs(a - b) for a, b in zip(row[1:5], theirs[1:5], strict=True)) for row in ours]
+    best = min(range(len(ours)), key=off.__getitem__)
+    found = (
+        f"**{', '.join(f'“{name}”' for name in fits)} gives the paper's four figures of three "
+        "drives.**"
+        if fits
+        else "**Of these, none gives the paper's four figures of three drives**; the nearest, "
+        f"“{ours[best][0]}”, misses one by {off[best]:.0f} N."
     )
+    return f"{found} {of_two(ours, published)}"
+
+
+def of_two(ours, published):
+    """In how many readings two drives are singular, and what decides it."""
+    singular = sum(row[5] > 0 for row in ours)
+    first, *others = ours
+    same = all(row[5] == first[5] for row in others if row[0] in BODIES)
+    moved = [f"“{row[0]}”" for row in others if (row[5] > 0) != (first[5] > 0)]
+    decides = (
+        "; the mass centre and the weights do not change how often"
+        if same
+        else "; the weights change how often"
+    )
+    but = f", {', '.join(moved)} {'does' if len(moved) == 1 else 'do'}" if moved else ""
+    held = [row for row in ours if row[5] == 0]
+    bound = min((row[6] for row in held), default=0.0)
+    rest = (
+        f" Where they hold, their largest force is at least {bound:.0f} N; the paper has "
+        f"{published.peak_force:g} N."
+        if held
+        else ""
+    )
+    return f"In {singular} of {len(ours)} two drives are singular on the way{decides}{but}.{rest}"

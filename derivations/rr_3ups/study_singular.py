@@ -22,7 +22,7 @@ from .study_basis import (
     sunrise_and_sunset,
     two,
 )
-from .study_marks import branches, crosses
+from .study_marks import branches, covering, crosses
 
 CELL = 5.0  # degrees
 COARSE = 4.0  # degrees, where single points are looked for
@@ -30,6 +30,7 @@ FINE = 1.0  # degrees, where the singular set is looked for
 TILT = 95.0  # degrees, the upper end of the maps
 YEAR = np.linspace(-23.45, 23.45, 95)  # degrees of declination
 MILLI = 1e3
+LOOSE = 1e-3  # m a radian, below which three drives hardly hold
 CROSS = (4.0, 3.0)  # degrees
 HELD = (0.0, 0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3)
 DETERMINANTS = (-0.1, -0.05, -0.02, -0.005, 0.0, 0.005, 0.02, 0.05, 0.1)
@@ -53,13 +54,15 @@ def singular(kernels, sun, parameters):
         "move, in metres, for a radian of the motion that they feel least."
     )
     yield Plot(
-        "Determinant of the Jacobian of legs 1 and 2 through the days.",
+        "Determinant of the Jacobian of legs 1 and 2 through the days: two drives do not hold the "
+        "platform where it is 0.",
         "solar time, h", "determinant, m²",
         [Curve(day.name, day.clock, found[k].det_2) for k, day in days.items()],
         [Mark(0.0, "singular")],
     )  # fmt: skip
     yield Plot(
-        "Smaller singular value of the three-drive Jacobian through the days.",
+        "Smaller singular value of the three-drive Jacobian through the days: three drives hold "
+        "the platform while it is not 0.",
         "solar time, h", Axis("singular value, m", low=0.0),
         [Curve(day.name, day.clock, found[k].sigma_min) for k, day in days.items()],
     )  # fmt: skip
@@ -104,20 +107,30 @@ def maps(kernels, size, days):
     yield HeatMap(
         "Determinant of the Jacobian of legs 1 and 2 over the attitude, the attitudes at which two "
         "drives do not hold, and the ways of the days.",
-        *label, "determinant, m²", turn, tilt, found.det_2, DETERMINANTS,
+        *label, "determinant, m²", turn, tilt, found.det_2,
+        covering(DETERMINANTS, found.det_2),
         curves=[Curve("singular", *singular_set(kernels, size)), *ways],
     )  # fmt: skip
     points = isolated(kernels, size)
     yield HeatMap(
         "Smaller singular value of the three-drive Jacobian over the attitude, the attitudes at "
         "which three drives do not hold, and the ways of the days.",
-        *label, "singular value, m", turn, tilt, found.sigma_min, HELD,
-        curves=[Curve("singular", *crosses(*points, *CROSS)), *ways],
+        *label, "singular value, m", turn, tilt, found.sigma_min,
+        covering(HELD, found.sigma_min),
+        curves=[*([Curve("singular", *crosses(*points, *CROSS))] if points.size else []), *ways],
     )  # fmt: skip
+    yield Prose(where_three_fail(points))
+
+
+def where_three_fail(points):
+    """The single attitudes in words."""
+    lines = "The singular attitudes of two drives are lines that part the map; "
+    if not points.size:
+        return f"{lines}three drives hold at every attitude of the map."
     places = "; ".join(f"({text_of(x, '.1f')}, {text_of(y, '.1f')})" for x, y in points.T.tolist())
-    yield Prose(
-        "The singular attitudes of two drives are lines that part the map; those of three are "
-        f"single points, with α and β in degrees at {places}. A way can go round a point."
+    return (
+        f"{lines}those of three are single points, with α and β in degrees at {places}. A way can "
+        "go round a point."
     )
 
 
@@ -146,7 +159,7 @@ def isolated(kernels, size):
     rows, columns = np.nonzero(low[: len(tilt), : len(turn)])
     refined = [refine(value, turn[c], tilt[r]) for r, c in zip(rows, columns, strict=True)]
     kept = {(round(x, 1) + 0.0, round(y, 1) + 0.0) for x, y, least in refined if least < 1e-5}
-    return np.array(sorted(kept)).T
+    return np.array(sorted(kept)).reshape(-1, 2).T
 
 
 def refine(value, x, y):
@@ -184,20 +197,31 @@ def words(days, year, found, refused):
     """What it means for the two mechanisms."""
     least, day = min((float(np.min(of.sigma_min)), days[k].name) for k, of in found.items())
     third = (
-        f"The mechanism with three drives is held all day; least, with {MILLI * least:.0f} mm a "
-        f"radian, on the {day}."
+        f"The mechanism with three drives is held {'all day' if least > LOOSE else 'not always'}; "
+        f"least, with {MILLI * least:.0f} mm a radian, on the {day}."
     )
     few, many = year
+    if not many:
+        return f"The sun's way never crosses the set, on no day of the year. {third}"
     if not few:
         return (
             f"The sun's way crosses the set up to {many} times a day, and on some days of the "
             f"year never. {third}"
         )
     times = f"{few} times" if few == many else f"{few} to {many} times"
+    signs = (
+        "The determinant has one sign about noon and the other towards sunrise and sunset; no "
+        "finer plan and no stronger motor avoids the zeros between. "
+        if few == many == 2
+        else ""
+    )
+    about = (
+        "About a crossing of the equinox the kernel answers SINGULAR, with forces of 0, for "
+        f"{refused:.2f} s of the sun's time. "
+        if refused
+        else ""
+    )
     return (
         "**The mechanism with two drives is singular on its way, every day of the year**: at each "
-        f"of {len(YEAR)} declinations the sun's way crosses the set {times}. The determinant has "
-        "one sign about noon and the other towards sunrise and sunset; no finer plan and no "
-        "stronger motor avoids the zeros between. About a crossing of the equinox the kernel "
-        f"answers SINGULAR, with forces of 0, for {refused:.2f} s of the sun's time. {third}"
+        f"of {len(YEAR)} declinations the sun's way crosses the set {times}. {signs}{about}{third}"
     )

@@ -6,9 +6,9 @@ from armillary.verify.plots import Curve, HeatMap, centres
 from armillary.verify.study import Heading, Prose, Result, text_of
 
 from .study_balance import balance
-from .study_basis import root
-from .study_candidates import at_its_best, energies, forces, mechanical, noon_by_dawn
-from .study_marks import crosses
+from .study_basis import near, root
+from .study_candidates import at_its_best, energies, forces, has_no_pole, mechanical, told
+from .study_marks import covering, crosses
 from .study_power import constant
 
 MM = 1e3
@@ -31,45 +31,69 @@ def unknowns(kernels, sun, parameters):
         "the products. All forces are affine in them; the kernels at four mass centres give every "
         "other one."
     )
-    best = fit(found, target)
-    kept = (
-        [(found.bounded(z), z) for z in heights(found, published.peak_force)] if found.loose else []
-    )
+    best = fit(found.figures, target)
+    kept = on_the_line(found, published.peak_force)
+    places = candidates(found, best, kept, published)
     yield drawing(found, target, best, kept)
-    places = {"at o": (0.0, 0.0), "fits three drives best": best}
-    places.update({f"two drives bounded, {'above' if z > 0 else 'below'} o": (y, z)
-                   for y, z in kept})  # fmt: skip
+    yield forces(found, {"at o": (0.0, 0.0), **places}, published)
+    yield energies(found, {"at o": (0.0, 0.0), **places}, parameters)
+    yield mechanical(found, {"at o": (0.0, 0.0), **places})
+    figures = found.figures((0.0, *best))
+    yield Prose(fit_in_words(best, figures, target, sensitivity(found, best)))
+    centres_ = [told(found, name, place) for name, place in places.items()]
+    if found.loose:
+        yield Prose(bounded_in_words(found, kept, published))
+    if kept:
+        yield at_its_best(found, (0.0, *kept[-1]))
+        yield Prose(chosen_in_words(told(found, "", kept[-1]), parameters))
+    yield Result("unknowns", {
+        "residual": float(np.abs(figures - target).max()), "conditions": found.held_back(),
+        "fits": fits(figures, target), "centres": centres_,
+    })  # fmt: skip
+
+
+def on_the_line(found, peak):
+    """Mass centres (y, z) without poles that give the peak at sunrise, from the lowest up."""
+    if found.held_back() != 1:
+        return []
+    places = [(found.bounded(z), z) for z in heights(found, peak)]
+    return [place for place in places if has_no_pole(found, place)]
+
+
+def candidates(found, best, kept, published):
+    """The mass centres that are looked at, by name; the highest without poles is the first."""
+    places = {
+        f"two drives bounded, {'above' if z > 0 else 'below'} o": (y, z) for y, z in reversed(kept)
+    }
     ratio = published.energy[1] / published.energy[0]
     if kept and (other := at_the_ratio(found, ratio, kept[-1][1])):
         places["two drives bounded, the paper's ratio of energies"] = other
-    yield forces(found, places, published)
-    yield energies(found, places, parameters)
-    yield mechanical(found, places)
-    values = sensitivity(found, best)
-    residual = float(np.abs(found.figures((0.0, *best)) - target).max())
-    told = facts(found, kept, parameters)
-    yield Prose(fit_in_words(best, residual, values))
-    if kept:
-        yield at_its_best(found, (0.0, *kept[-1]))
-        yield Prose(bounded_in_words(found, kept, published))
-        yield Prose(above_in_words(told, published))
-    yield Result("unknowns", {"residual": residual, **told})
+    places["fits three drives best"] = best
+    if not found.loose:
+        target = np.array([published.peak_force, *published.mean_forces_two])
+        places["fits two drives best"] = fit(found.figures_two, target)
+    return places
 
 
-def misfit(found, target, place):
-    """Root mean square of what four figures of three drives miss, N."""
-    return float(np.sqrt(np.mean((found.figures((0.0, *place)) - target) ** 2)))
+def fits(figures, target):
+    """Whether all figures are reproduced."""
+    return all(near(a, b) for a, b in zip(figures, target, strict=True))
 
 
-def fit(found, target):
+def misfit(figures, target, place):
+    """Root mean square of what figures miss, N."""
+    return float(np.sqrt(np.mean((figures((0.0, *place)) - target) ** 2)))
+
+
+def fit(figures, target):
     """The mass centre (y, z) with the least misfit, by grids that shrink about the best."""
     place, width, count = (0.0, 0.0), REACH, 65
     while width > 1e-7:
         ticks = np.linspace(-width, width, count)
         tried = [(place[0] + y, place[1] + z) for y in ticks for z in ticks]
-        place = min(tried, key=lambda at: misfit(found, target, at))
+        place = min(tried, key=lambda at: misfit(figures, target, at))
         width, count = 2 * (ticks[1] - ticks[0]), 9
-    return place
+    return float(place[0]), float(place[1])
 
 
 def at_the_ratio(found, ratio, height):
@@ -98,22 +122,28 @@ def drawing(found, target, best, kept):
     """Misfit over the mass centre."""
     edges = np.linspace(-REACH, REACH, CELLS + 1)
     middles = centres(edges)
-    values = [[misfit(found, target, (y, z)) for y in middles] for z in middles]
+    values = [[misfit(found.figures, target, (y, z)) for y in middles] for z in middles]
+    seen = (
+        "; the line of mass centres on which two drives have no pole, and the places on it with "
+        "the paper's largest force at sunrise"
+        if kept
+        else ""
+    )
+    least = misfit(found.figures, target, best)
     points = [Curve("best fit", *crosses([MM * best[0]], [MM * best[1]], *CROSS))]
-    if kept:
+    if found.held_back() == 1:
         ends = np.array([-REACH, REACH])
         line = clip(np.array([found.bounded(z) for z in ends]), ends)
         points = [
             Curve("no pole", *(MM * of for of in line)),
             *points,
-            Curve("peak", *crosses(*(MM * np.array(kept).T), *CROSS)),
+            *([Curve("peak", *crosses(*(MM * np.array(kept).T), *CROSS))] if kept else []),
         ]
     return HeatMap(
         "Root mean square by which the largest and the three mean forces of three drives miss the "
-        "paper's, over the mass centre; the line of mass centres on which two drives have no pole, "
-        "and the places on it with the paper's largest force at sunrise.",
+        f"paper's, over the mass centre; it is least at the best fit, {least:.1f} N{seen}.",
         "y of the mass centre, mm", "z of the mass centre, mm", "misfit, N",
-        MM * edges, MM * edges, values, MISFIT, curves=points,
+        MM * edges, MM * edges, values, covering(MISFIT, values), curves=points,
     )  # fmt: skip
 
 
@@ -138,64 +168,78 @@ def sensitivity(found, place):
     return np.linalg.svd(np.stack(columns, axis=-1), compute_uv=False).tolist()
 
 
-def fit_in_words(best, residual, values):
+def fit_in_words(best, figures, target, values):
     """How well, and how well determined."""
     first, second, third = values
     blind = "0" if third < 1e-6 else f"{third:.1g}"
     y, z = (text_of(MM * at, ".1f") for at in best)
+    off = float(np.abs(figures - target).max())
+    good = fits(figures, target)
     return (
-        "**No mass centre gives the paper's four figures of three drives.** The best, "
-        f"y = {y} mm and z = {z} mm, still misses one by {residual:.0f} N. It is not for want of a "
-        f"firm answer: the singular values of the fit are {first:.1f} and {second:.1f} N/mm, so "
-        "that an error of 1 N in the figures moves the answer by "
-        f"{1 / first:.1f} and {1 / second:.1f} mm; the third, of $x$, is {blind}: no force of this "
-        "day tells it."
+        f"**{'A' if good else 'No'} mass centre gives the paper's four figures of three drives.** "
+        f"The best, y = {y} mm and z = {z} mm, misses one by {off:.1f} N. The singular values of "
+        f"the fit are {first:.1f} and {second:.1f} N/mm, so that an error of 1 N in the figures "
+        f"moves the answer by {1 / first:.1f} and {1 / second:.1f} mm"
+        + ("" if good else ": it is not for want of a firm answer")
+        + f"; the third, of $x$, is {blind}: no force of this day tells it."
     )
 
 
 def bounded_in_words(found, kept, published):
     """What a mass centre does for two drives."""
+    if found.held_back() > 1:
+        return (
+            "The crossings ask for different mass centres: "
+            + ("one alone" if found.held_back() == 2 else "none")
+            + " keeps the forces of two drives finite at all of them."
+        )
     pole = found.loose[0]
+    left = {0: "no place", 1: "one place", 2: "two places"}.get(len(kept), f"{len(kept)} places")
     return (
         "On one line of mass centres two drives keep finite forces, though they still do not hold "
         "the platform at the crossings: there the weights ask for nothing along the motion that "
         f"is not held. A millimetre beside it they ask for {abs(pole.slopes[1]) / MM:.2f} N m of "
         f"the {abs(pole.value):.1f} N m that they ask for with the mass centre at o, and the pole "
-        f"is back. The paper's {published.peak_force:g} N at sunrise for both mechanisms then "
-        f"leave {len(kept)} places on the line."
+        f"is back. The paper's {published.peak_force:g} N at sunrise for both mechanisms leave "
+        f"{left} on the line."
     )
 
 
-def above_in_words(told, published):
-    """What comes along with the mass centre above o."""
-    (peak, size), (peak_2, size_2) = told["mechanical"]
-    low, high = (KILO * of for of in told["energy"])
-    same = "equal" if abs(peak / peak_2 - 1) < 0.01 else "unequal"
-    y, z = (text_of(MM * at, ".1f") for at in told["place"])
-    means, means_2 = (", ".join(f"{m:.0f}" for m in told[key]) for key in ("means", "means_two"))
+def chosen_in_words(chosen, parameters):
+    """What comes along with the mass centre without poles that lies highest."""
+    published, (one, other) = parameters.published, chosen["drives"]
+    (peak, size), (peak_2, size_2) = one["mechanical"], other["mechanical"]
+    low, high = (KILO * constant(parameters) * of["squares"] for of in (one, other))
+    y, z = (text_of(MM * at, ".1f") for at in chosen["place"])
+    same = "equal" if near(peak, peak_2) else "unequal"
+    means, theirs = ("{}; {}".format(*(", ".join(f"{m:.0f}" for m in of) for of in both))
+                     for both in ((one["means"], other["means"]),
+                                  (published.mean_forces, published.mean_forces_two)))  # fmt: skip
+    around, around_there = other["most"] / other["dawn"], (
+        published.noon_copper[1] / published.peak_copper
+    )  # fmt: skip
     return (
-        f"**One of them, y = {y} mm and z = {z} mm, brings much of the paper along that was not "
-        f"asked for**: {same} peaks of mechanical power, {MILLI * peak:.2f} and "
-        f"{MILLI * peak_2:.2f} mW, and a mean that is {'higher' if size > size_2 else 'lower'} "
-        f"with three drives; a total that is {'lower' if low < high else 'higher'} with three, "
-        f"{low:.1f} against {high:.1f} kJ where the paper has {published.energy[0]:g} and "
-        f"{published.energy[1]:g}. It does not bring the means, {means} N and {means_2} N, nor the "
-        "ratio of the energies, which no motor enters; and around noon two drives then heat "
-        f"{told['noon_two']:.2f} of what they do at sunrise, where the paper has its peaks. The "
-        "paper may have had a mass centre near it; its figures do not determine one."
+        f"The highest of them, y = {y} mm and z = {z} mm, has {same} peaks of mechanical power, "
+        f"{MILLI * peak:.2f} and {MILLI * peak_2:.2f} mW, equal in the paper, and a mean that is "
+        f"{'higher' if size > size_2 else 'lower'} with three drives, higher in the paper; a total "
+        f"that is {'lower' if low < high else 'higher'} with three, {low:.1f} against {high:.1f} "
+        f"kJ, where the paper has {published.energy[0]:g} and {published.energy[1]:g}: "
+        f"{high / low:.2f} times against {published.energy[1] / published.energy[0]:.2f}, and no "
+        f"motor enters that; means of {means} N, where the paper has {theirs} N; and around noon "
+        f"two drives heat {around:.2f} of what they do at sunrise, in the paper "
+        f"{around_there:.2f}. {determined(chosen, published)}"
     )
 
 
-def facts(found, kept, parameters):
-    """What the summary needs: the last of the places without poles."""
-    if not kept:
-        return {}
-    centre = (0.0, *kept[-1])
-    largest, *means = found.figures(centre).tolist()
-    _, *means_two = found.figures_two(centre).tolist()
-    return {
-        "place": list(kept[-1]), "largest": largest, "means": means, "means_two": means_two,
-        "mechanical": found.mechanical(centre), "noon": noon_by_dawn(found.three, kept[-1]),
-        "noon_two": noon_by_dawn(found.two, kept[-1]),
-        "energy": [constant(parameters) * square for square in found.squares(centre)],
-    }  # fmt: skip
+def determined(chosen, published):
+    """Whether a mass centre gives the published forces."""
+    one, other = chosen["drives"]
+    same = fits(one["means"], published.mean_forces) and fits(
+        other["means"], published.mean_forces_two
+    )
+    if same:
+        return "**It gives all of the paper's forces.**"
+    return (
+        "**It does not give the paper's means.** The paper may have had a mass centre near it; its "
+        "figures do not determine one."
+    )

@@ -18,10 +18,10 @@ def zenith(kernels, sun, parameters):
     minutes = given.step * (np.arange(count) - (count - 1) / 2)
     found = {miss: ways(kernels, toward(sun, parameters, miss, minutes)) for miss in given.misses}
     yield Heading("Near the zenith")
-    clear = parameters.site.latitude - parameters.days.declination[SUMMER]
+    clear = abs(parameters.site.latitude - parameters.days.declination[SUMMER])
     yield Prose(
         f"At the paper's site the sun comes within {clear:.2f} degrees of the zenith. Where it "
-        "passes nearer, on a site further south, the attitude with β ≥ 0 must turn half about "
+        "passes nearer, on a site nearer the equator, the attitude with β ≥ 0 must turn half about "
         "within the pass. The kernel aim_nearest goes on from the attitude before: it follows "
         "where α turns by less than a quarter from one aim to the next, else α stays and β changes "
         "its sign, which is the same direction."

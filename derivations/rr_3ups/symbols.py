@@ -125,7 +125,7 @@ g = d.parameter.scalar(
 
 alpha = d.angle("alpha", "turn of the platform about the vertical", latex=r"\alpha")
 beta = d.angle(
-    "beta", "tilt of the platform about the axis that turned with it", range=(-1.5, 1.5),
+    "beta", "tilt of the platform about the axis that turned with it", range=(-1.6, 1.6),
     latex=r"\beta",
 )  # fmt: skip
 alpha_dot, beta_dot = alpha.rate(), beta.rate()

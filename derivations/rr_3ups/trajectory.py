@@ -1,10 +1,13 @@
 """The way of the platform through a day: how the attitude that faces the sun moves."""
 
+from dataclasses import dataclass
+
 from armillary import Status, sin, time_derivative, vector
 from armillary.derivation.units import RADIAN, SECOND
 
 from .aiming import (
     PRINTED,
+    Aim,
     aim,
     aimed,
     alone,
@@ -31,12 +34,39 @@ SPEED, ACCELERATION = RADIAN / SECOND, RADIAN / SECOND**2
 # ---- how it moves ----
 
 
+@dataclass(frozen=True)
+class Seen:
+    """The direction that is faced and how it moves, in the axes that turn with alpha.
+
+    Attributes:
+        rho: length of its horizontal part, 1 where the turn is free.
+        square: of its length.
+        of_length_one: whether it keeps its length, 1, in every digit.
+        v: its rate.
+        w: its second derivative.
+    """
+
+    aim: Aim
+    rho: object
+    square: object
+    of_length_one: bool
+    v: object
+    w: object
+
+
 def follow(aim, c_dot, c_ddot, define, *, of_length_one=False):
     """Rates and accelerations of the attitude that faces a direction: of alpha, then of beta.
 
     Args:
         of_length_one: the direction keeps its length, 1, in every digit.
     """
+    seen = _seen(aim, c_dot, c_ddot, define, of_length_one)
+    rates = _rates(seen, define)
+    return (*rates, *_accelerations(seen, *rates, define))
+
+
+def _seen(aim, c_dot, c_ddot, define, of_length_one):
+    """How the direction moves, as the carousel sees it."""
     c = aim.c
     rho = define(
         "shadow_{}",
@@ -61,10 +91,17 @@ def follow(aim, c_dot, c_ddot, define, *, of_length_one=False):
     w = define(
         "w_{}",
         carousel(c_ddot),
-        because="The same for the second derivative.",
+        because="A derivative of the components in fixed axes, seen in turned ones as the rate is.",
         meaning="second derivative of the sun's direction, axes turned by alpha",
         latex=r"\mathbf{w}",
     )
+    square = 1 if of_length_one else aim.rho * aim.rho + c.z * c.z
+    return Seen(aim, rho, square, of_length_one, v, w)
+
+
+def _rates(seen, define):
+    """Rates of the turn and of the tilt."""
+    aim, rho, v = seen.aim, seen.rho, seen.v
     alpha_dot = define(
         "alpha_{}_dot",
         aim.unless_free(v.x) / rho,
@@ -74,16 +111,21 @@ def follow(aim, c_dot, c_ddot, define, *, of_length_one=False):
         unit=SPEED,
         latex=r"\dot{\alpha}",
     )
-    size = 1 if of_length_one else aim.rho * aim.rho + c.z * c.z
     beta_dot = define(
         "beta_{}_dot",
-        aim.unless_free(-(c.z * v.y + rho * v.z)) / size,
+        aim.unless_free(-(aim.c.z * v.y + rho * v.z)) / seen.square,
         because="In the upright plane through the sun beta is the angle of a point that moves: "
         "the cross product of place and velocity over the square of the distance.",
         meaning="rate of the tilt that faces the sun",
         unit=SPEED,
         latex=r"\dot{\beta}",
     )
+    return alpha_dot, beta_dot
+
+
+def _accelerations(seen, alpha_dot, beta_dot, define):
+    """Accelerations of the turn and of the tilt."""
+    aim, rho, v, w = seen.aim, seen.rho, seen.v, seen.w
     alpha_ddot = define(
         "alpha_{}_ddot",
         aim.unless_free(w.x + 2 * alpha_dot * v.y) / rho,
@@ -94,17 +136,17 @@ def follow(aim, c_dot, c_ddot, define, *, of_length_one=False):
         latex=r"\ddot{\alpha}",
     )
     outward = rho * alpha_dot * alpha_dot - w.y
-    growth = 0 if of_length_one else 2 * (c.z * v.z - rho * v.y) * beta_dot
+    growth = 0 if seen.of_length_one else 2 * (aim.c.z * v.z - rho * v.y) * beta_dot
     beta_ddot = define(
         "beta_{}_ddot",
-        aim.unless_free(c.z * outward - rho * w.z - growth) / size,
+        aim.unless_free(aim.c.z * outward - rho * w.z - growth) / seen.square,
         because="The rate of that cross product: what the turn bends inward is added to the "
         "acceleration outward, as rho grows by both.",
         meaning="acceleration of the tilt that faces the sun",
         unit=ACCELERATION,
         latex=r"\ddot{\beta}",
     )
-    return alpha_dot, beta_dot, alpha_ddot, beta_ddot
+    return alpha_ddot, beta_ddot
 
 
 motion = follow(aimed, enu_dot, enu_ddot, naming("aim", r"\mathrm{aim}", printed=PRINTED))
@@ -138,7 +180,7 @@ enu_sun = d.define(
 enu_dot_sun = d.define(
     "enu_dot_sun",
     sun["enu_dot"],
-    because="The hour angle alone moves it.",
+    because="The place and the declination are held, so that the hour angle alone moves the sun.",
     meaning="rate of the direction to that sun",
     latex=r"\dot{\mathbf{c}}_\odot",
 )

@@ -27,7 +27,9 @@ derivation = d = Derivation("demo", title="Demo")
 a, b = d.angle("a", "first"), d.angle("b", "second")
 n = d.unit_vector("n", "direction")
 L = d.parameter.length("L", "arm")
-chain = Chain("g").rotate(Z, a).translate(Y, L).rotate(X, b).translate(Z, L, frame="tip")
+tilt = d.parameter.angle("tilt", "tilt of the base")
+base = Chain("g").rotate(X, tilt)
+chain = base.rotate(Z, a).translate(Y, L).rotate(X, b).translate(Z, L, frame="tip")
 M = d.define("M", chain.pose("g", "tip"), because="compose")
 J = d.define("J", chain.jacobian("tip", (a, b)), because="differentiate")
 az, el = direction_angles(unit(n + chain.rotation("g", "tip").column(2)))
@@ -50,6 +52,6 @@ def digests(root, seed, **more):
 def test_digests_do_not_depend_on_the_hash_seed(project):
     root = project(demo=DEMO)
     first = digests(root, "0")
-    assert first.count("\n") == 3  # two kernels, and the stages of one
+    assert first.count("\n") == 4  # two kernels, and the stages of both
     assert digests(root, "1") == first
     assert digests(root, "2", LC_ALL="C", TZ="Pacific/Apia") == first

@@ -4,6 +4,7 @@ import pytest
 from hypothesis import given
 
 from armillary import Derivation, Rate, Status, any_of, cos, sin, sqrt, vector, where
+from armillary.derivation.status import worse
 from armillary.program.arithmetic import Reals
 from armillary.program.compile import compile_kernel, compile_stages
 from armillary.program.cost import cost, measure, step_cost
@@ -28,10 +29,14 @@ def run(stages, point):
     """The step after the set-up, which is told of the mount only."""
     kernel = stages.setup.kernel
     told = {q.name for q in (*kernel.inputs, *kernel.parameters)}
-    context = evaluate(stages.setup, {n: v for n, v in point.items() if n in told}, Reals()).results
-    assert list(context) == [f.name for f in stages.fields]
+    before = evaluate(stages.setup, {n: v for n, v in point.items() if n in told}, Reals())
+    if before.status < 0:
+        return before
+    assert list(before.results) == [f.name for f in stages.fields]
     moving = {q.name for q in (*stages.step.kernel.inputs, *stages.step.kernel.parameters)}
-    return evaluate(stages.step, {**{n: point[n] for n in moving}, **context}, Reals())
+    after = evaluate(stages.step, {**{n: point[n] for n in moving}, **before.results}, Reals())
+    assert after.status == worse(before.status, after.status)
+    return after
 
 
 def same(made, stages):
@@ -140,9 +145,44 @@ def test_only_what_reads_both_is_divided(rates, divided):
     d = Derivation("both", title="Both")
     first, second = (d.angle(n, n, rate=r) for n, r in zip("uv", rates, strict=True))
     d.parameter.angle("unread", "an angle")
-    d.kernel("k", inputs=[first, second], outputs={"r": first * second})
+    d.kernel("k", inputs=[first, second], outputs={"r": sin(first) * second})
     _, stages = stages_of(d)
     assert (stages is not None) == divided == has_stages(d.kernels["k"], {"u", "v"})
+
+
+@pytest.mark.parametrize(("hoisted", "gained"), [(0, False), (1, True)])
+def test_a_step_that_costs_no_less_than_the_call_is_not_made(hoisted, gained):
+    d = Derivation("idle", title="Idle")
+    t, a = d.angle("t", "an angle"), d.parameter.scalar("a", "a number")
+    d.kernel("k", inputs=[t], outputs={"r": sin(t) * (a + hoisted)})
+    made, stages = stages_of(d)
+    assert has_stages(made.program.kernel, made.program.inputs_used())
+    assert (stages is not None) == gained
+    if stages:
+        assert cost(stages.step).weighted == made.cost.weighted - 1
+
+
+def gated(status):
+    """A kernel with a case that the mount decides, and one that it does not."""
+    d = Derivation("gated", title="Gated")
+    t, a = d.angle("t", "an angle"), d.parameter.scalar("a", "a number")
+    tight = d.define("tight", a * a < "0.2", because=BECAUSE)
+    cases = [(Status.SINGULAR, t > 1, "far round"), (status, tight, "of the mount")]
+    d.kernel("k", inputs=[t], outputs={"r": sin(t) * sin(a)}, cases=cases)
+    return d
+
+
+@pytest.mark.parametrize("status", [Status.LIMIT, Status.UNREACHABLE, Status.NOT_CONVERGED])
+def test_the_set_up_tells_the_cases_of_the_mount_and_steps_repeat_what_does_not_end(status):
+    made, stages = stages_of(gated(status))
+    same(made, stages)
+    assert [case.status for case in stages.setup.kernel.cases] == [status]
+    repeated = [Status.SINGULAR, status] if status > 0 else [Status.SINGULAR]
+    assert [case.status for case in stages.step.kernel.cases] == repeated
+    assert [f.name for f in stages.fields] == ["sin_a", "tight"][: len(repeated)]
+    for a in ("0.1", "0.5"):
+        found = run(stages, {"t": Reals().number("0.3"), "a": Reals().number(a)})
+        assert found.status == (status if a == "0.1" else 0)
 
 
 def test_a_controller_is_not_divided():

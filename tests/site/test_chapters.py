@@ -124,6 +124,27 @@ def test_the_chapter_on_adding_a_mechanism(tmp_path):
     assert "From 3.021 m" in shell(set_higher, tmp_path, PYTHONPATH=str(ROOT))
 
 
+def test_the_forces_of_the_chapter_on_adding_a_mechanism(tmp_path):
+    offer_armillary(tmp_path)
+    shell("armillary init --name field", tmp_path, PYTHONPATH=str(ROOT))
+    (source,) = (b for b in blocks("adding-a-mechanism.md", "python") if "virtual_work(" in b)
+    folder = tmp_path / "derivations" / "arm"
+    folder.mkdir()
+    (folder / "derivation.py").write_text('"""An arm."""\n\n' + source, "utf-8")
+    asked = (
+        "import math, sys; sys.path.insert(0, 'generated/python')\n"
+        "from field_kernels import arm\n"
+        "machine = dict(length=1.5, mass=2.0, inertia=[0.3, 1.0, 1.0], g=9.81)\n"
+        "still = arm.moment(tilt=-math.pi / 2, tilt_dot=0.0, tilt_ddot=0.0, **machine)\n"
+        "fast = arm.moment(tilt=0.0, tilt_dot=3.0, tilt_ddot=2.0, **machine)\n"
+        "print(f'{float(still.moment):.2f} {float(fast.moment):.2f}')\n"
+    )
+    (tmp_path / "ask.py").write_text(asked, "utf-8")
+    told = shell(f"armillary generate && '{sys.executable}' ask.py", tmp_path, PYTHONPATH=str(ROOT))
+    # weight times arm; (inertia + mass times arm squared) times acceleration
+    assert told.splitlines()[-1] == f"{2 * 9.81 * 1.5:.2f} {(0.3 + 2 * 1.5**2) * 2:.2f}"
+
+
 @pytest.mark.slow
 def test_the_chapter_on_the_audit(tmp_path):
     offer_armillary(tmp_path)

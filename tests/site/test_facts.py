@@ -105,4 +105,10 @@ def test_a_divided_kernel_tells_what_set_up_and_step_cost(tmp_path):
     assert (setup.name, step.name) == ("pose_setup", "pose_step")
     assert "1 sin/cos" in setup.cost
     assert "1 flops (1 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos" in step.cost
-    assert f"<code>pose_step</code> {step.cost}" in page(root)
+    text = page(root)
+    assert f"<code>pose_step</code> {step.cost}" in text
+    for stage in (setup, step):
+        assert len(stage.c_signatures) == 2
+        for prototype in stage.c_signatures:
+            assert prototype.startswith(f"int demo_{stage.name}_f")
+            assert f"<code>{prototype};</code>" in text

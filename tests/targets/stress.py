@@ -39,6 +39,7 @@ def stress() -> Derivation:
     mount = d.parameter.unit_vector("mount", "a direction that stays")
     S_t = d.parameter.vector("S_t", "a vector that stays", limits=(-10.0, 10.0))
     L_0 = d.parameter.length("L_0", "a length")
+    S_2 = d.define("S_2", S_t * 2, because=BECAUSE)
     d.parameter.length("unread", "a length that nothing reads")
 
     d.kernel(
@@ -47,12 +48,12 @@ def stress() -> Derivation:
         outputs={"R": elementary(Z, turn) @ elementary(X, PI / 7), "w": c.cross(v) + mount},
         summary='Outputs """quoted""" with \\alpha and a full stop.',
     )
-    d.kernel("carry", inputs=[turn, v], outputs={"w": elementary(Z, turn) @ (v + S_t)})
+    d.kernel("carry", inputs=[turn, v], outputs={"w": elementary(Z, turn) @ (v + S_2)})
     d.kernel("lengths", inputs=[v], outputs={"n": unit(v + vector(0, 0, 3e6)), "r": sqrt(v.dot(v))})
     d.kernel(
         "bounds",
         inputs=[warm, strict, below],
-        outputs={"a": warm / strict, "b": sqrt(strict) / below, "e": absolute(below) * L_0},
+        outputs={"a": warm / strict, "b": sqrt(strict) / below, "e": absolute(below) * (L_0 * L_0)},
     )
     d.kernel("numbers", inputs=[], outputs={"k": vector(1, PI, "0.1"), "zero": sin(0)})
     d.kernel("still", inputs=[], outputs={"k": S_t * L_0})

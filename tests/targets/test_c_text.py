@@ -210,18 +210,50 @@ def test_any_change_of_layout_changes_the_version(tmp_path):
 def test_headers_tell_what_is_handed_over_and_what_each_stage_reads(printed):
     flat = " ".join(texts(printed)["stress.h"].replace("\n *", " ").split())
     assert "What carry_setup hands to carry_step: 3 numbers." in flat
-    assert "typedef struct { float S_t_x; float S_t_y; float S_t_z; } stress_carry_ctx_f32;" in flat
+    struct = "volatile unsigned long ready; float S_2_x; float S_2_y; float S_2_z;"
+    assert f"typedef struct {{ {struct} }} stress_carry_ctx_f32;" in flat
     setup = "int stress_carry_setup_f64(const stress_params_f64 *p, stress_carry_ctx_f64 *ctx);"
     assert setup in flat
     step = "int stress_carry_step_f64( const stress_carry_ctx_f64 *ctx, double turn, "
     assert f"{step}const double v[3], double w[3]);" in flat
-    assert "@param[out] ctx what carry_step reads; untouched where the status is negative" in flat
+    assert "@param[out] ctx what carry_step reads; not ready where the status is negative" in flat
+    assert "OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits" in flat
+    assert "do not store or send it, and set it up again after recompiling" in flat
+
+
+def test_the_functions_of_a_divided_kernel_lead_to_each_other(printed):
+    header = texts(printed)["stress.h"]
+    names = ["stress_carry_f32", "stress_carry_setup_f32", "stress_carry_step_f32"]
+    for name in names:
+        (said,) = re.findall(rf"/\*\*((?:(?!\*/).)*)\*/\nint {name}\(", header, re.S)
+        assert re.findall(r"@see (\w+)", said) == [other for other in names if other != name]
+    (said,) = re.findall(r"/\*\*((?:(?!\*/).)*)\*/\nint stress_numbers_f32\(", header, re.S)
+    assert "@see" not in said
+
+
+def test_arguments_tell_how_often_they_change(printed):
+    flat = " ".join(texts(printed)["loops.h"].replace("\n *", " ").split())
+    assert re.search(r"@param\[in\] l [^@]*; each tick @", flat)
+    assert "held by the mount unless a field says otherwise" in flat
+
+
+def test_a_context_bears_a_mark_of_its_own(printed):
+    marks = {}
+    for system, name in printed.stages:
+        for precision in ("f32", "f64"):
+            text = texts(printed)[f"{system}_{name}_step_{precision}.c"]
+            setup, step = re.findall(r"ready (?:=|==) (0x\w{8})UL", text)
+            assert setup == step
+            assert text.index("ctx->ready = 0;") < text.index(f"ctx->ready = {setup}")
+            marks[system, name, precision] = int(setup, 16)
+    assert len(set(marks.values())) == len(marks)
+    assert not {0, 0xFFFFFFFF} & set(marks.values())
 
 
 def test_a_kernel_may_not_take_the_name_of_a_stage():
     d = Derivation("clash", title="Clash")
     x, a = d.scalar("x", "a number"), d.parameter.scalar("a", "a number")
-    d.kernel("wind", inputs=[x], outputs={"r": a * x})
+    d.kernel("wind", inputs=[x], outputs={"r": a * a * x})
     d.kernel("wind_step", inputs=[x], outputs={"r": 2 * x})
     with pytest.raises(DerivationError, match="stages of the kernel wind"):
         render_system(d, TARGET)
@@ -237,7 +269,7 @@ def test_golden(printed, golden):
             "keepers.h",
             "keepers_array_update_f32.c",
         ),
-        *("loops.h", "loops_arms_step_f32.c"),
+        *("loops.h", "loops_rods_step_f32.c"),
     )
     for name in files:
         golden(name, (printed.c / name).read_text("utf-8"))

@@ -2,12 +2,17 @@
 
 import pytest
 
+from armillary.program.compile import compile_kernel, compile_stages
 from armillary.program.cost import cost
 from armillary.program.program import Op, results_length
 from armillary.program.sample import sample_points
 from armillary.targets.c import function_name, params_type, state_type
 from benchmarks.count.count import run_source
+from benchmarks.printed import Asked, Printed, in_order
+from benchmarks.table import SETUP, STEP
 from tests.targets.compilers import needs
+from tests.targets.stress import stress
+from tests.targets.stress_loops import loops
 
 
 @pytest.mark.tool
@@ -72,3 +77,30 @@ def test_stated_cost_is_what_runs(printed):
         assert found.pow == 0
         checked += 1
     assert checked >= 35
+
+
+@pytest.mark.tool
+@needs("g++")
+@pytest.mark.parametrize(("make", "name"), [(stress, "carry"), (loops, "rods"), (loops, "shares")])
+def test_stated_cost_of_a_stage_is_what_runs(make, name):
+    """The mark of a context is an integer: to ask for it costs no operation."""
+    d = make()
+    kernel = d.kernels[name]
+    places = in_order((*kernel.inputs, *d.parameters))
+    printed = Printed(Asked(d, name, places=places))
+    point = sample_points(kernel, 1)[0]
+    values = [0.0] * (max(places.values()) + 9)
+    for q, place in places.items():
+        given = point.get(q, 0)
+        numbers = given if isinstance(given, list | tuple) else [given]
+        values[place : place + len(numbers)] = [float(x) for x in numbers]
+    stages = compile_stages(compile_kernel(kernel))
+    for stage, program in ((SETUP, stages.setup), (STEP, stages.step)):
+        length = sum(results_length(r) for r in stages.step.results)
+        (run,) = run_source(printed.source, printed.call(stage), [values], length, [])
+        stated, found = cost(program), run.counts
+        counted = (found.add, found.mul, found.div, found.sqrt, found.trig, found.inverse)
+        assert counted == (
+            *(stated.add, stated.multiply, stated.divide, stated.sqrt),
+            *(stated.trigonometry, stated.inverse),
+        ), (name, stage)

@@ -109,6 +109,17 @@ STATE_BREAKAGES = {
     "a state too early": ("  int status", "  s->last = 0.0; int status", "status 99"),
     "a state unguarded": ("fabs(last) <= 1000.0", "fabs(gain) <= 1000.0", "another refusal"),
 }
+NOT_READY = "ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE"
+STAGE_BREAKAGES = {
+    "any context": (NOT_READY, "ARMILLARY_OK : ARMILLARY_OK", "status 97"),
+    "a mark of ones": ("(ctx->ready ==", "(ctx->ready == ~0UL || ctx->ready ==", "status 97"),
+    "a store in a refusal": ("int status = (ctx", "w[2] = 0.0; int status = (ctx", "status 97"),
+    "another refusal": (NOT_READY, "ARMILLARY_OK : ARMILLARY_UNREACHABLE", "status 97"),
+    "a mark that stays": ("  ctx->ready = 0;\n", "", "status 99"),
+    "a mark of nothing": ("ctx->ready = 0;", "ctx->ready = 1;", "status 99"),
+    "a mark that is another": ("ctx->ready = 0x", "ctx->ready = 1 + 0x", "a legal input"),
+    "a field ahead of a refusal": ("ctx->ready = 0;", "ctx->ready = ctx->S_2_x = 0;", "status 99"),
+}
 
 
 @needs("gcc")
@@ -121,6 +132,12 @@ def test_the_harness_notices_what_is_wrong_in_a_loop(printed, tmp_path, right, w
 @pytest.mark.parametrize(("right", "wrong", "why"), STATE_BREAKAGES.values(), ids=STATE_BREAKAGES)
 def test_the_harness_notices_what_is_wrong_with_a_state(printed, tmp_path, right, wrong, why):
     notices(printed, tmp_path, ("keepers", "array_update"), right, wrong, why)
+
+
+@needs("gcc")
+@pytest.mark.parametrize(("right", "wrong", "why"), STAGE_BREAKAGES.values(), ids=STAGE_BREAKAGES)
+def test_the_harness_notices_what_is_wrong_with_a_context(printed, tmp_path, right, wrong, why):
+    notices(printed, tmp_path, ("stress", "carry"), right, wrong, why, "_step")
 
 
 @needs("gcc")
@@ -137,12 +154,13 @@ def test_the_harness_notices_what_is_no_rotation(printed, tmp_path, right, wrong
     notices(printed, tmp_path, ("attitudes", "parts"), right, wrong, why)
 
 
-def notices(printed, tmp_path, kernel, right, wrong, why):
-    """Break one line of a kernel, and see it found."""
+def notices(printed, tmp_path, kernel, right, wrong, why, stage=""):
+    """Break one line of a kernel, or of its stages, and see it found."""
+    printed.module("_signatures")  # from there: what is broken has no Python
     folder = tmp_path / "broken"
     shutil.copytree(printed.c, folder / "c" / "src" / printed.target.folder)
     broken = replace(printed, folder=folder)
-    path = broken.c / f"{'_'.join(kernel)}_f64.c"
+    path = broken.c / f"{'_'.join(kernel)}{stage}_f64.c"
     text = path.read_text()
     assert right in text
     # A step is included after it, and may have the same names.

@@ -179,5 +179,5 @@ def test_the_header_tells_who_must_not_overlap(tmp_path):
     assert header.index(warning) > header.index("int hand_plain_f32(")
     written(tmp_path, [plain])
     header = (tmp_path / "hand.h").read_text()
-    assert "so they may overlap. Where" in header
+    assert "so they\n * may overlap.\n" in header
     assert "must not" not in header

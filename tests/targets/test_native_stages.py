@@ -1,8 +1,12 @@
 """A set-up and the steps after it, compiled: the answers of the undivided kernel."""
 
+import ctypes
+import functools
+
 import numpy as np
 import pytest
 
+from armillary.derivation.status import Status
 from tests.targets.compilers import needs
 from tests.targets.reference import ROUNDINGS, points
 
@@ -21,6 +25,46 @@ def one_mount(printed, system, name, dtype):
         {n: a[0] for n, a in given.items() if n in mount},
         {n: a for n, a in given.items() if n not in mount},
     )
+
+
+def refusals(printed, system, name, dtype):
+    """What a step says of a context, told by what was done to it."""
+    compiled = getattr(printed.module("native"), system)
+    mount, moving = one_mount(printed, system, name, dtype)
+    context = getattr(compiled, f"{name}_setup")(**mount)
+    step = functools.partial(getattr(compiled, f"{name}_step"), context, **moving)
+    before, mark = context.memory.raw, ctypes.sizeof(ctypes.c_ulong)
+    assert (step().status == getattr(compiled, name)(**mount, **moving).status).all()
+    # Memory that was never set up; all but the mark; a mark that is off by a bit.
+    off = bytes([before[0] ^ 1]) + before[1:]
+    for memory in (bytes(len(before)), b"\xff" * len(before), bytes(mark) + before[mark:], off):
+        context.memory.raw = memory
+        yield step()
+    # The set-up of another mount, refused.
+    context.memory.raw = before
+    wrong = {q: np.full_like(value, np.nan) for q, value in mount.items()}
+    again = getattr(compiled, f"{name}_setup")
+    context.memory.raw = set_up_into(printed, again, context, wrong, before)
+    yield step()
+
+
+def set_up_into(printed, setup, context, mount, before):
+    """The memory of a context after another set-up of it that is refused."""
+    native = printed.module("native")
+    with pytest.MonkeyPatch.context() as patch:
+        memory = ctypes.create_string_buffer(before, len(before))
+        patch.setattr(native.ctypes, "create_string_buffer", lambda size: memory)
+        assert setup(**mount).status == Status.NOT_FINITE
+    assert memory.raw != before
+    return memory.raw
+
+
+@pytest.mark.parametrize("dtype", [np.float64, np.float32])
+def test_a_step_refuses_a_context_that_is_not_ready(printed, dtype):
+    for system, name in printed.stages:
+        for answer in refusals(printed, system, name, dtype):
+            assert (answer.status == Status.OUT_OF_RANGE).all(), (system, name)
+            assert all(np.isnan(value).all() for value in answer[:-1]), (system, name)
 
 
 @pytest.mark.parametrize("dtype", [np.float64, np.float32])

@@ -118,7 +118,7 @@ def test_plain_numbers_and_lists_are_taken(printed):
     assert (quarter.status, quarter.c.tolist()) == (0, [-1.0, 0.0, 0.0])
     module = printed.module("stress")
     found = module.carry(turn=0, v=[1, 2, 3], S_t=(0.5, 0, 0))
-    assert found.w.tolist() == [1.5, 2.0, 3.0]
+    assert found.w.tolist() == [2.0, 2.0, 3.0]
     assert found.status.shape == ()
     assert found.status == 0
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from armillary import Chain, Derivation, X, Z, atan2, cos, sin, sqrt, vector
+from armillary import Chain, Derivation, X, Z, atan2, cos, elementary, sin, sqrt, vector
 from armillary.derivation.errors import Source
 from armillary.derivation.statements import Identity
 from armillary.program.compile import compile_kernel
@@ -87,6 +87,17 @@ def test_every_rotation_is_orthonormal(d):
     assert made["R"] is not None
     assert made["M"].engine == made["R"].engine == "SymPy"
     assert made["M"].passed
+
+
+def test_a_rotation_by_an_angle_that_is_no_number(d):
+    """The root of a negative number: its matrix is orthonormal, and not real."""
+    t, u = d.angle("t", "angle"), d.scalar("u", "a number", range=(2.0, 3.0))
+    d.define("R", elementary(Z, sqrt(u - 1)) @ elementary(X, t), because="compose")
+    d.define("S", elementary(Z, sqrt(1 - u)) @ elementary(X, t), because="compose")
+    right, wrong = (text_book_rotation(definition) for definition in d.definitions.values())
+    assert (right.passed, right.engine) == (True, "SymPy")
+    assert not wrong.passed
+    assert "no real rotation" in wrong.why
 
 
 class Wrong(Rewriter):

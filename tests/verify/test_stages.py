@@ -31,7 +31,9 @@ BREAKAGES = {
         "c f64 in steps",
     ),
     "a guard of the step less": ("fabs(t) <= 1000.0)", "fabs(t) <= 2.0e3)", "c f64 in steps"),
-    "a field of something else": ("ctx->steep = ", "ctx->steep = !", "c f64 in steps"),
+    "a field of something else": ("ctx->m1 = ", "ctx->m1 = 1.001 * ", "c f64 in steps"),
+    "a mount that is let pass": ("ARMILLARY_UNREACHABLE", "ARMILLARY_OK", "c f64 in steps"),
+    "a mark that is not left": ("ctx->ready = 0x", "ctx->ready = 1 + 0x", "c f64 in steps"),
 }
 
 
@@ -72,8 +74,12 @@ def test_both_refusals_count_as_those_of_one_call(root):
     folder = root / "generated" / "python"
     (make,) = [m for name, m in stages_implementations(folder, PACKAGE, "arm") if "f64" in name]
     nan, wild = np.nan, 1e9
-    given = {"t": [0.1, nan, wild, 0.1, wild, nan], "tilt": [0.2, 0.2, 0.2, nan, nan, wild]}
-    inputs = {**{n: np.array(v) for n, v in given.items()}, "L": np.full(6, 1.0)}
+    steep, shallow = 1.5, 0.2
+    given = {
+        "t": [0.1, 0.1, nan, wild, nan, wild, 0.1, wild, nan],
+        "tilt": [steep, shallow, shallow, shallow, steep, steep, nan, nan, wild],
+    }
+    inputs = {**{n: np.array(v) for n, v in given.items()}, "L": np.full(9, 1.0)}
     found = make().call("place", inputs)
-    assert found["status"].tolist() == [0, -1, -2, -1, -2, -2]
-    assert np.isnan(found["x"][1:]).all()
+    assert found["status"].tolist() == [-3, 0, -1, -2, -1, -2, -1, -2, -2]
+    assert np.isnan(np.delete(found["x"], 1)).all()

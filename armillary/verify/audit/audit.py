@@ -15,8 +15,8 @@ from armillary.derivation.paper import (
     Unchecked,
     Word,
 )
-from armillary.derivation.ranges import Between, Extremes, LeastMoved
-from armillary.verify.audit import ranges, sentences, words
+from armillary.derivation.ranges import Between, Extremes, Hanging, LeastMoved
+from armillary.verify.audit import ranges, sentences, unprinted, words
 from armillary.verify.audit.claims import claimed
 from armillary.verify.audit.reading import read
 from armillary.verify.audit.verdict import Finding, Verdict
@@ -45,6 +45,8 @@ def finding(paper: Paper, printed: Printed, latex: Callable[[Any], str] | None =
         return ranges.between(paper, printed)
     if isinstance(printed, Extremes):
         return ranges.extremes(paper, printed)
+    if isinstance(printed, Hanging):
+        return unprinted.hanging(paper, printed)
     if isinstance(printed, LeastMoved):
         return ranges.least_moved(paper, printed)
     if isinstance(printed, Spans):

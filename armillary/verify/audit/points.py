@@ -22,6 +22,7 @@ from armillary.derivation.quantity import (
     RotationQuantity,
     VectorQuantity,
 )
+from armillary.derivation.statements import Block
 from armillary.derivation.symbols import leaves
 from armillary.derivation.units import RADIAN
 from armillary.verify.audit.numbers import Digits, Doubles
@@ -49,6 +50,7 @@ _ROTATIONS = (
     np.array([[0.8, 0.0, 0.6], [0.36, 0.8, -0.48], [-0.48, 0.6, 0.64]]),
 )
 _CHOICES = 3  # round values of a quantity; with fewer there are parts of its range, too
+_SHOWN = 1e-12  # an error that is no rounding
 _TRIED = 3000  # points drawn where a condition narrows the range
 
 
@@ -205,14 +207,20 @@ class Round:
         return made
 
 
-def round_points(known: Sequence[Known], small: Sequence[Quantity], n: int = 60) -> list[Round]:
-    """Points made of round values, the plainest first."""
+def round_points(
+    known: Sequence[Known],
+    small: Sequence[Quantity],
+    n: int = 60,
+    held: Mapping[Leaf | Index, Any] | None = None,
+) -> list[Round]:
+    """Points made of round values, the plainest first; some quantities are held at one."""
+    held = held or {}
     stream = np.random.default_rng(7)
     made: list[Round] = []
     for k in range(n):
         values: dict[Leaf | Index, Any] = {}
         for i, q in enumerate(known):
-            choices = _round(q, small)
+            choices = [held[q]] if q in held else _round(q, small)
             pick = i + k if k < 3 else int(stream.integers(len(choices)))
             values[q] = choices[pick % len(choices)]
         made.append(Round(values))
@@ -229,15 +237,40 @@ def worst_round(
     small: Sequence[Quantity],
     given: s.Condition | None,
     error: Callable[[Sample], Array],
+    examples: Mapping[AnyQuantity, Block] | None = None,
 ) -> Round | None:
-    """The plainest round point whose error is at least half of the largest among them."""
-    points = round_points(known, small)
-    points = [p for p in points if _holds(p, known, given)]
-    if not points:
-        return None
-    errors = np.nan_to_num(np.abs(error(stacked(points, known))), nan=-1.0, posinf=-1.0)
-    largest = float(errors.max())
-    return points[int(np.argmax(errors >= largest / 2))] if largest > 0 else None
+    """The plainest round point whose error is at least half of the largest among them.
+
+    Quantities that a paper's own examples name are held at those, unless nothing shows there.
+    """
+    held: dict[Leaf | Index, Any] = {
+        q: numbers_of(block) for q, block in (examples or {}).items() if q in known
+    }
+    for kept in [held, {}] if held else [held]:
+        points = [p for p in round_points(known, small, held=kept) if _holds(p, known, given)]
+        if not points:
+            continue
+        errors = np.nan_to_num(np.abs(error(stacked(points, known))), nan=-1.0, posinf=-1.0)
+        largest = float(errors.max())
+        if largest > (_SHOWN if kept else 0.0):
+            return points[int(np.argmax(errors >= largest / 2))]
+    return None
+
+
+def numbers_of(block: Block) -> Any:
+    """The numbers of a constant scalar or vector; of one per part of an index, a row for each."""
+    values = Values(Doubles(), {})
+    over = next(iter(indices(block)), None)
+    if over is None:
+        return _plain(values(block))
+    return [_plain(values.at_part(block, over, k)) for k in range(over.size)]
+
+
+def _plain(value: Any) -> Any:
+    """One number, or three, of values at one point."""
+    if isinstance(value, tuple):
+        return [float(np.ravel(x)[0]) for x in value]
+    return float(np.ravel(value)[0])
 
 
 def is_angle(q: Leaf | Index) -> bool:

@@ -11,7 +11,7 @@ import numpy as np
 from armillary.algebra import scalar as s
 from armillary.algebra.index import Index
 from armillary.derivation.paper import Paper
-from armillary.derivation.ranges import Between, Extremes, LeastMoved
+from armillary.derivation.ranges import Between, Extremes, Figure, LeastMoved
 from armillary.verify.audit import points as p
 from armillary.verify.audit.compare import CLOSE, DIGITS, EQUAL
 from armillary.verify.audit.numbers import Doubles
@@ -23,6 +23,7 @@ from armillary.verify.audit.words import at, number, unit_of
 
 _POINTS = 2000
 _FEW = 12
+_ROUNDING = 1e-14
 _STEPS = 701  # along one quantity, at every part of the indices: a minute each of 9 to 16 h, and so
 
 
@@ -33,12 +34,12 @@ def between(paper: Paper, said: Between) -> Finding:
     value, low, high = _bounded(said, values)
     scale = max(largest(np.abs(value)), 1e-12)
     unit = unit_of(said.value)
-    says = f"Over the working ranges {said.words} is {_span(value, value, unit)}"
+    says = f"Over the working ranges {said.words} is {span(value, value, unit)}"
     beyond = largest(np.maximum(low - value, value - high))
     if beyond <= CLOSE * scale or (beyond <= CLOSE and _exactly_within(said, known)):
         return finding_of(paper, said.key, Verdict.HOLDS, said.quote, f"{says}.")
-    says += f"; stated is {_stated(said, low, high, unit)}."
-    example = _outside(said, known)
+    says += f"; stated is {stated(said, low, high, unit)}."
+    example = _outside(paper, said, known)
     if example is not None and example.at:
         says += f" {at(example, unit)}"
     return finding_of(
@@ -122,18 +123,22 @@ def _exactly_within(said: Between, known: Sequence[p.Known]) -> bool:
     return all(x <= EQUAL for x in np.maximum(low - value, value - high))
 
 
-def _stated(said: Between, low: Any, high: Any, unit: str) -> str:
+def stated(said: Between | Figure, low: Any, high: Any, unit: str) -> str:
+    """What is stated of a value: "at most 2 m", "1 to 2 m"."""
     if said.low is None:
         return f"at most {number(float(np.nanmax(high)), unit)}"
     if said.high is None:
         return f"at least {number(float(np.nanmin(low)), unit)}"
-    return _span(low, high, unit)
+    return span(low, high, unit)
 
 
-def _span(low: Any, high: Any, unit: str) -> str:
+def span(low: Any, high: Any, unit: str) -> str:
     """The least and the largest of some values: "0 to 3.14 rad"."""
-    least, most = number(float(np.nanmin(low))), number(float(np.nanmax(high)), unit)
-    return most if number(float(np.nanmax(high))) == least else f"{least} to {most}"
+    ends = np.array([np.nanmin(low), np.nanmax(high)], dtype=float)
+    # Beside the other end, what is left of a rounding is 0.
+    least, most = np.where(np.abs(ends) <= _ROUNDING * np.abs(ends).max(), 0.0, ends).tolist()
+    first = number(least)
+    return number(most, unit) if number(most) == first else f"{first} to {number(most, unit)}"
 
 
 def _precise(value: float, digit: float) -> str:
@@ -141,12 +146,12 @@ def _precise(value: float, digit: float) -> str:
     return f"{value:.{max(0, 1 - int(np.floor(np.log10(digit))))}f}"
 
 
-def _outside(said: Between, known: Sequence[p.Known]) -> Counterexample | None:
+def _outside(paper: Paper, said: Between, known: Sequence[p.Known]) -> Counterexample | None:
     def beyond(points: p.Sample) -> Any:
         value, low, high = _bounded(said, Values(Doubles(), points))
         return np.maximum(0.0, np.maximum(low - value, value - high))
 
-    where = p.worst_round(known, (), said.given, beyond)
+    where = p.worst_round(known, (), said.given, beyond, paper.examples)
     if where is None:
         return None
     found = _bounded(said, Values(Doubles(), p.stacked([where], known)))

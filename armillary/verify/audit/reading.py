@@ -73,7 +73,7 @@ def read(equation: Equation, name: str, printed: Block, paper: Paper, latex: Lat
         whole=explained.whole if explained else None,
         entries=entries,
         properties=_properties(sides, order, explained) if failing else (),
-        counterexample=_counterexample(sides, entries) if failing else None,
+        counterexample=_counterexample(sides, entries, paper) if failing else None,
         worst=max((e.worst for e in entries if not np.isnan(e.worst)), default=0.0),
     )
 
@@ -182,7 +182,7 @@ def _properties(sides: Sides, order: int | None, explained: Explained | None) ->
     return tuple(t for t in told if t)
 
 
-def _counterexample(sides: Sides, entries: Sequence[Entry]) -> Counterexample | None:
+def _counterexample(sides: Sides, entries: Sequence[Entry], paper: Paper) -> Counterexample | None:
     """Of the entry that errs most against its size, at round inputs; of those that fail, if any."""
     failing = [e for e in entries if e.verdict not in (Verdict.HOLDS, Verdict.ORDER)]
     failing = failing or [e for e in entries if e.verdict is not Verdict.HOLDS]
@@ -198,7 +198,7 @@ def _counterexample(sides: Sides, entries: Sequence[Entry]) -> Counterexample | 
     def error(points: p.Sample) -> Any:
         return bench.difference(values_at(points), printed, derived)
 
-    where = p.worst_round(bench.known, bench.small, bench.given, error)
+    where = p.worst_round(bench.known, bench.small, bench.given, error, paper.examples)
     if where is None:
         return None
     values = values_at(p.stacked([where], bench.known))

@@ -132,7 +132,8 @@ def stages_row(printed, system, name, facts, precision):
     """A set-up and a step, called as one function that refuses what either refuses.
 
     Where the set-up refuses, the step answers from the context of a legal mount, into nothing: of
-    what it says only its refusal counts. A context that was touched answers 99.
+    what it says only its refusal counts. A context that is not ready must be refused, whether it
+    was never set up or no longer is: 97 where it is not, 99 where more of it was touched.
     """
     real, dtype = _REAL[precision][0], _REAL[precision][4]
     program, kernel = printed.compiled[system, name].program, facts["kernels"][name]
@@ -147,23 +148,31 @@ def stages_row(printed, system, name, facts, precision):
     symbol, context = f"{whole}_step_{precision}", f"{whole}_ctx_{precision}"
     struct = f"{printed.target.c_prefix}{system}_params_{precision}" if shapes else ""
     setup, step = kernel["stages"]["setup"], kernel["stages"]["step"]
-    legal = ", ".join(_legal(known[q], prod(shape)) for q, shape in read) or "0"
+    legal = ", ".join(_legal(known[q], prod(s), places[q][0]) for q, s in read) or "0"
     lines = [
         *_stage(f"{whole}_setup_{precision}", setup, struct, places, real, f"{context} *ctx"),
         *_stage(symbol, step, struct, places, real, f"const {context} *ctx", kernel["results"]),
+        *_refused(symbol, real, context, outputs),
         f"static int call_{symbol}(const {real} *in, {real} *out)",
         "{",
         f"  static const {real} legal[] = {{{legal}}};",
         f"  {context} ctx, before;",
+        "  memset(&ctx, 0, sizeof ctx);",
+        f"  if (!refused_{symbol}(in, &ctx)) {{ return 97; }}",
         "  memset(&ctx, 0xFF, sizeof ctx);",
+        f"  if (!refused_{symbol}(in, &ctx)) {{ return 97; }}",
         "  memcpy(&before, &ctx, sizeof ctx);",
+        "  before.ready = 0;",
         f"  const int first = run_{whole}_setup_{precision}(in, &ctx, NULL);",
         f"  if (first >= 0) {{ return run_{symbol}(in, &ctx, out); }}",
         "  if (memcmp(&before, &ctx, sizeof ctx) != 0) { return 99; }",
-        f"  if (run_{whole}_setup_{precision}(legal, &ctx, NULL) != 0) {{ return 98; }}",
+        f"  if (run_{whole}_setup_{precision}(legal, &ctx, NULL) < 0) {{ return 98; }}",
         f"  {real} nowhere[{max(outputs, 1)}];",
         f"  const int second = run_{symbol}(in, &ctx, nowhere);",
-        "  return (second == -1 || second == -2) && second < first ? second : first;",
+        f"  if (run_{whole}_setup_{precision}(in, &ctx, NULL) != first) {{ return 96; }}",
+        f"  if (!refused_{symbol}(in, &ctx)) {{ return 97; }}",
+        "  if (second != -1 && second != -2) { return first; }",
+        "  return second < first || first < -2 ? second : first;",
         "}",
     ]
     table = [_quantity(known[q], prod(shape), dtype) for q, shape in read]
@@ -196,14 +205,29 @@ def _stage(symbol, facts, struct, places, real, context, results=()):
     return [head, "{", *made, f"  return {symbol}({', '.join(arguments)});", "}"]
 
 
-def _legal(quantity, size):
-    """A value that is accepted."""
+def _refused(symbol, real, context, outputs):
+    """A function that tells whether a step refuses a context and leaves the outputs alone."""
+    size = max(outputs, 1)
+    return [
+        f"static int refused_{symbol}(const {real} *in, const {context} *ctx)",
+        "{",
+        f"  {real} out[{size}], before[{size}];",
+        "  memset(out, CANARY, sizeof out);",
+        "  memset(before, CANARY, sizeof before);",
+        f"  return run_{symbol}(in, ctx, out) == -2 && memcmp(before, out, sizeof out) == 0;",
+        "}",
+    ]
+
+
+def _legal(quantity, size, place):
+    """A value that is accepted; no two are alike, so that no two points coincide."""
     if quantity.facts.kind is Kind.UNIT_VECTOR:
         return "(REAL)0.48, (REAL)0.6, (REAL)0.64"
     if quantity.facts.kind is Kind.ROTATION:
         return "1, 0, 0, 0, 1, 0, 0, 0, 1"
     low, high = map(float, quantity.facts.range)
-    return ", ".join([f"(REAL){(low + (high - low) / 2).hex()}"] * size)
+    parts = [0.4 + 0.2 * ((place + k) * 0.618 % 1) for k in range(size)]
+    return ", ".join(f"(REAL){(low + (high - low) * part).hex()}" for part in parts)
 
 
 def _kept(answer):

@@ -3,12 +3,15 @@
  * @file answers.h
  * @brief Statuses.
  *
- * SI units, radians, right-handed frames; vectors at the boundary are local
- * east-north-up unless stated. Matrices are flat and row-major. Every function returns
- * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written. No pointer may be null. Inputs are read
- * before results are written, so they may overlap. Where an input and a result have one
- * name, the result's argument ends in _out.
+ * SI units, radians, right-handed frames; vectors at the boundary are local east-north-up
+ * unless stated. Matrices are flat and row-major. Every function returns an ARMILLARY status:
+ * 0 is OK, positive means every result is defined and finite, negative means that no result
+ * was written. No pointer may be null. Inputs are read before results are written, so they
+ * may overlap.
+ *
+ * Where an input and a result have one name, the result's argument ends in _out. A letter
+ * that headers of C, Arduino or AVR define as a macro (F, I) is nobody's name here: such a
+ * result ends in _out too, and such an input has a longer name.
  */
 #ifndef ARMILLARY_ANSWERS_H
 #define ARMILLARY_ANSWERS_H
@@ -18,7 +21,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_ANSWERS_ABI 0x5ade91c3UL
+#define ARMILLARY_ANSWERS_ABI 0x80bcd811UL
 
 #ifdef __cplusplus
 extern "C" {
@@ -28,8 +31,8 @@ extern "C" {
  * @brief both signs.
  *
  * Cost: 7 flops (2 mul, 3 add, 0 div, 2 sqrt), 0 sin/cos, 1 atan2.
- * @param[in] x a number, refused outside [-4, 4], working range [-1.5, 1.5]
- * @param[in] y a number, refused outside [-4, 4], working range [-1.5, 1.5]
+ * @param[in] x a number, refused outside [-4, 4], working range [-1.5, 1.5]; each tick
+ * @param[in] y a number, refused outside [-4, 4], working range [-1.5, 1.5]; each tick
  * @param[out] root root (answers-root)
  * @param[out] a a, rad (answers-azimuth)
  * @return ARMILLARY_OK, ARMILLARY_NOT_CONVERGED, ARMILLARY_UNREACHABLE, ARMILLARY_CLAMPED,
@@ -46,8 +49,8 @@ int answers_both_signs_f32(float x, float y, float *root, float *a);
  * @brief signs.
  *
  * Cost: 4 flops (2 mul, 2 add, 0 div, 0 sqrt), 0 sin/cos, 1 atan2.
- * @param[in] x a number, refused outside [-4, 4], working range [-1.5, 1.5]
- * @param[in] y a number, refused outside [-4, 4], working range [-1.5, 1.5]
+ * @param[in] x a number, refused outside [-4, 4], working range [-1.5, 1.5]; each tick
+ * @param[in] y a number, refused outside [-4, 4], working range [-1.5, 1.5]; each tick
  * @param[out] a a, rad
  * @param[out] minus minus
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -60,8 +63,8 @@ int answers_signs_f32(float x, float y, float *a, float *minus);
  * @brief both signs.
  *
  * Cost: 7 flops (2 mul, 3 add, 0 div, 2 sqrt), 0 sin/cos, 1 atan2.
- * @param[in] x a number, refused outside [-4, 4], working range [-1.5, 1.5]
- * @param[in] y a number, refused outside [-4, 4], working range [-1.5, 1.5]
+ * @param[in] x a number, refused outside [-4, 4], working range [-1.5, 1.5]; each tick
+ * @param[in] y a number, refused outside [-4, 4], working range [-1.5, 1.5]; each tick
  * @param[out] root root (answers-root)
  * @param[out] a a, rad (answers-azimuth)
  * @return ARMILLARY_OK, ARMILLARY_NOT_CONVERGED, ARMILLARY_UNREACHABLE, ARMILLARY_CLAMPED,
@@ -78,8 +81,8 @@ int answers_both_signs_f64(double x, double y, double *root, double *a);
  * @brief signs.
  *
  * Cost: 4 flops (2 mul, 2 add, 0 div, 0 sqrt), 0 sin/cos, 1 atan2.
- * @param[in] x a number, refused outside [-4, 4], working range [-1.5, 1.5]
- * @param[in] y a number, refused outside [-4, 4], working range [-1.5, 1.5]
+ * @param[in] x a number, refused outside [-4, 4], working range [-1.5, 1.5]; each tick
+ * @param[in] y a number, refused outside [-4, 4], working range [-1.5, 1.5]; each tick
  * @param[out] a a, rad
  * @param[out] minus minus
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_ANSWERS_ABI) || (ARMILLARY_ANSWERS_ABI != 0x5ade91c3UL)
+#if !defined(ARMILLARY_ANSWERS_ABI) || (ARMILLARY_ANSWERS_ABI != 0x80bcd811UL)
 #error "answers.h is of another version than this file: copy both from one release"
 #endif
 

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_ATTITUDES_ABI) || (ARMILLARY_ATTITUDES_ABI != 0x61f735b7UL)
+#if !defined(ARMILLARY_ATTITUDES_ABI) || (ARMILLARY_ATTITUDES_ABI != 0x79e5511bUL)
 #error "attitudes.h is of another version than this file: copy both from one release"
 #endif
 

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_BARE_ABI) || (ARMILLARY_BARE_ABI != 0x799b6c04UL)
+#if !defined(ARMILLARY_BARE_ABI) || (ARMILLARY_BARE_ABI != 0xd94cbd3fUL)
 #error "bare.h is of another version than this file: copy both from one release"
 #endif
 

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_ITERATIONS_ABI) || (ARMILLARY_ITERATIONS_ABI != 0xabce8973UL)
+#if !defined(ARMILLARY_ITERATIONS_ABI) || (ARMILLARY_ITERATIONS_ABI != 0x367c7043UL)
 #error "iterations.h is of another version than this file: copy both from one release"
 #endif
 

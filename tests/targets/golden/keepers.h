@@ -3,12 +3,15 @@
  * @file keepers.h
  * @brief What is kept.
  *
- * SI units, radians, right-handed frames; vectors at the boundary are local
- * east-north-up unless stated. Matrices are flat and row-major. Every function returns
- * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written. No pointer may be null. Inputs are read
- * before results are written, so they may overlap, except where a function says that they
- * must not. Where an input and a result have one name, the result's argument ends in _out.
+ * SI units, radians, right-handed frames; vectors at the boundary are local east-north-up
+ * unless stated. Matrices are flat and row-major. Every function returns an ARMILLARY status:
+ * 0 is OK, positive means every result is defined and finite, negative means that no result
+ * was written. No pointer may be null. Inputs are read before results are written, so they
+ * may overlap, except where a function says that they must not.
+ *
+ * Where an input and a result have one name, the result's argument ends in _out. A letter
+ * that headers of C, Arduino or AVR define as a macro (F, I) is nobody's name here: such a
+ * result ends in _out too, and such an input has a longer name.
  */
 #ifndef ARMILLARY_KEEPERS_H
 #define ARMILLARY_KEEPERS_H
@@ -18,13 +21,13 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_KEEPERS_ABI 0x4d2255c6UL
+#define ARMILLARY_KEEPERS_ABI 0xa4c4db35UL
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/** Parameters of the keepers system. */
+/** Parameters of the keepers system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** A factor, refused outside [-1000, 1000], working range [0.1, 0.5]. */
   float gain;
@@ -43,7 +46,7 @@ typedef struct {
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
- * @param[in] given a number, refused outside [-1000, 1000], working range [-1, 1]
+ * @param[in] given a number, refused outside [-1000, 1000], working range [-1, 1]; each tick
  * @param[out] s state of the simple
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -55,7 +58,7 @@ int keepers_simple_init_f32(const keepers_params_f32 *p, float given, keepers_si
  * Cost: 3 flops (1 mul, 2 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in,out] s state of the simple; untouched where the status is negative
- * @param[in] given a number, refused outside [-1000, 1000], working range [-1, 1]
+ * @param[in] given a number, refused outside [-1000, 1000], working range [-1, 1]; each tick
  * @param[out] fall fall (keepers-fall)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -77,7 +80,7 @@ typedef struct {
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; none of them is read
  * @param[in] each a number for each leg, for each leg, refused outside [-1000, 1000], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[out] s state of the array
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -92,7 +95,7 @@ int keepers_array_init_f32(
  * @param[in] p parameters
  * @param[in,out] s state of the array; untouched where the status is negative
  * @param[in] each a number for each leg, for each leg, refused outside [-1000, 1000], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[out] whole whole
  * @param[out] moved moved, for each leg
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
@@ -119,7 +122,7 @@ typedef struct {
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; none of them is read
  * @param[in] each a number for each leg, for each leg, refused outside [-1000, 1000], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[out] s state of the exchange
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -134,7 +137,7 @@ int keepers_exchange_init_f32(
  * @param[in] p parameters; none of them is read
  * @param[in,out] s state of the exchange; untouched where the status is negative
  * @param[in] each a number for each leg, for each leg, refused outside [-1000, 1000], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[out] before before, for each leg
  * @param[out] first first
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -166,7 +169,7 @@ int keepers_named_init_f32(const keepers_params_f32 *p, keepers_named_state_f32 
  * Cost: 1 flops (1 mul, 0 add, 0 div, 0 sqrt), 1 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in,out] s_value state of the named; untouched where the status is negative
- * @param[in] given a number, refused outside [-1000, 1000], working range [-1, 1]
+ * @param[in] given a number, refused outside [-1000, 1000], working range [-1, 1]; each tick
  * @param[out] wave wave
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -175,7 +178,7 @@ int keepers_named_update_f32(
 
 #if DBL_MANT_DIG >= 53
 
-/** Parameters of the keepers system. */
+/** Parameters of the keepers system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** A factor, refused outside [-1000, 1000], working range [0.1, 0.5]. */
   double gain;
@@ -194,7 +197,7 @@ typedef struct {
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
- * @param[in] given a number, refused outside [-1000, 1000], working range [-1, 1]
+ * @param[in] given a number, refused outside [-1000, 1000], working range [-1, 1]; each tick
  * @param[out] s state of the simple
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -207,7 +210,7 @@ int keepers_simple_init_f64(
  * Cost: 3 flops (1 mul, 2 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in,out] s state of the simple; untouched where the status is negative
- * @param[in] given a number, refused outside [-1000, 1000], working range [-1, 1]
+ * @param[in] given a number, refused outside [-1000, 1000], working range [-1, 1]; each tick
  * @param[out] fall fall (keepers-fall)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -229,7 +232,7 @@ typedef struct {
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; none of them is read
  * @param[in] each a number for each leg, for each leg, refused outside [-1000, 1000], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[out] s state of the array
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -244,7 +247,7 @@ int keepers_array_init_f64(
  * @param[in] p parameters
  * @param[in,out] s state of the array; untouched where the status is negative
  * @param[in] each a number for each leg, for each leg, refused outside [-1000, 1000], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[out] whole whole
  * @param[out] moved moved, for each leg
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
@@ -271,7 +274,7 @@ typedef struct {
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; none of them is read
  * @param[in] each a number for each leg, for each leg, refused outside [-1000, 1000], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[out] s state of the exchange
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -286,7 +289,7 @@ int keepers_exchange_init_f64(
  * @param[in] p parameters; none of them is read
  * @param[in,out] s state of the exchange; untouched where the status is negative
  * @param[in] each a number for each leg, for each leg, refused outside [-1000, 1000], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[out] before before, for each leg
  * @param[out] first first
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -318,7 +321,7 @@ int keepers_named_init_f64(const keepers_params_f64 *p, keepers_named_state_f64 
  * Cost: 1 flops (1 mul, 0 add, 0 div, 0 sqrt), 1 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in,out] s_value state of the named; untouched where the status is negative
- * @param[in] given a number, refused outside [-1000, 1000], working range [-1, 1]
+ * @param[in] given a number, refused outside [-1000, 1000], working range [-1, 1]; each tick
  * @param[out] wave wave
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */

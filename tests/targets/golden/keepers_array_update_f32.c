@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_KEEPERS_ABI) || (ARMILLARY_KEEPERS_ABI != 0x4d2255c6UL)
+#if !defined(ARMILLARY_KEEPERS_ABI) || (ARMILLARY_KEEPERS_ABI != 0xa4c4db35UL)
 #error "keepers.h is of another version than this file: copy both from one release"
 #endif
 

@@ -3,12 +3,19 @@
  * @file loops.h
  * @brief Loops.
  *
- * SI units, radians, right-handed frames; vectors at the boundary are local
- * east-north-up unless stated. Matrices are flat and row-major. Every function returns
- * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written. No pointer may be null. Inputs are read
- * before results are written, so they may overlap, except where a function says that they
- * must not. Where an input and a result have one name, the result's argument ends in _out.
+ * SI units, radians, right-handed frames; vectors at the boundary are local east-north-up
+ * unless stated. Matrices are flat and row-major. Every function returns an ARMILLARY status:
+ * 0 is OK, positive means every result is defined and finite, negative means that no result
+ * was written. No pointer may be null. Inputs are read before results are written, so they
+ * may overlap, except where a function says that they must not.
+ *
+ * Where an input and a result have one name, the result's argument ends in _out. A letter
+ * that headers of C, Arduino or AVR define as a macro (F, I) is nobody's name here: such a
+ * result ends in _out too, and such an input has a longer name.
+ *
+ * X_setup does what X does with all that the mount holds, once, and leaves it in a ctx;
+ * X_step does the rest, each time. A kernel whose step would cost no less than itself has
+ * neither.
  */
 #ifndef ARMILLARY_LOOPS_H
 #define ARMILLARY_LOOPS_H
@@ -18,13 +25,13 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_LOOPS_ABI 0x8a96921aUL
+#define ARMILLARY_LOOPS_ABI 0x13f5b034UL
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/** Parameters of the loops system. */
+/** Parameters of the loops system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** A size for each leg, for each leg, refused outside [0, 1000], working range [0.1, 1]. */
   float R[3];
@@ -46,21 +53,28 @@ typedef struct {
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: S, h, unread
  * @param[in] l a length for each leg, for each leg, refused outside [0, 1000], working range [0,
- *     2]
- * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]
- * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]
+ *     2]; each tick
+ * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]; each tick
+ * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]; each tick
  * @param[out] rod rod, for each leg (loops-rod)
  * @param[out] whole whole (loops-whole)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see loops_rods_setup_f32
+ * @see loops_rods_step_f32
  */
 int loops_rods_f32(
     const loops_params_f32 *p, const float l[3], float x, float turn, float rod[3], float *whole);
 
 /**
  * @brief What rods_setup hands to rods_step: 3 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of rods_setup and a mark from its end, if it did not refuse.
+ *     Without the mark rods_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float m1[3];
 } loops_rods_ctx_f32;
 
@@ -68,11 +82,14 @@ typedef struct {
  * @brief Set-up of rods: all of it that changes with the mount only.
  *
  * Cost: 3 flops (3 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: S, h, unread
- * @param[out] ctx what rods_step reads; untouched where the status is negative
+ * @param[out] ctx what rods_step reads; not ready where the status is negative, whatever it held
+ *     before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see loops_rods_f32
+ * @see loops_rods_step_f32
  */
 int loops_rods_setup_f32(const loops_params_f32 *p, loops_rods_ctx_f32 *ctx);
 
@@ -81,14 +98,17 @@ int loops_rods_setup_f32(const loops_params_f32 *p, loops_rods_ctx_f32 *ctx);
  *
  * Cost: 27 flops (12 mul, 12 add, 0 div, 3 sqrt), 1 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
- * @param[in] ctx what rods_setup left, its status not negative
+ * @param[in] ctx what rods_setup left; refused if it is not ready
  * @param[in] l a length for each leg, for each leg, refused outside [0, 1000], working range [0,
- *     2]
- * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]
- * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]
+ *     2]; each tick
+ * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]; each tick
+ * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]; each tick
  * @param[out] rod rod, for each leg (loops-rod)
  * @param[out] whole whole (loops-whole)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see loops_rods_f32
+ * @see loops_rods_setup_f32
  */
 int loops_rods_step_f32(
     const loops_rods_ctx_f32 *ctx, const float l[3], float x, float turn, float rod[3],
@@ -100,15 +120,17 @@ int loops_rods_step_f32(
  * Cost: 34 flops (18 mul, 12 add, 1 div, 3 sqrt), 1 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: S, h, unread
- * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]
- * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]
+ * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]; each tick
+ * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]; each tick
  * @param[in] l a length for each leg, for each leg, refused outside [0, 1000], working range [0,
- *     2]
+ *     2]; each tick
  * @param[out] share share, for each leg
  * @param[out] first first
  * @param[out] l_out l, for each leg
  * @return ARMILLARY_OK, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   LIMIT: one is long
+ * @see loops_shares_setup_f32
+ * @see loops_shares_step_f32
  */
 int loops_shares_f32(
     const loops_params_f32 *p, float x, float turn, const float l[3], float share[3],
@@ -116,9 +138,14 @@ int loops_shares_f32(
 
 /**
  * @brief What shares_setup hands to shares_step: 3 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of shares_setup and a mark from its end, if it did not refuse.
+ *     Without the mark shares_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float m1[3];
 } loops_shares_ctx_f32;
 
@@ -126,11 +153,14 @@ typedef struct {
  * @brief Set-up of shares: all of it that changes with the mount only.
  *
  * Cost: 3 flops (3 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: S, h, unread
- * @param[out] ctx what shares_step reads; untouched where the status is negative
+ * @param[out] ctx what shares_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see loops_shares_f32
+ * @see loops_shares_step_f32
  */
 int loops_shares_setup_f32(const loops_params_f32 *p, loops_shares_ctx_f32 *ctx);
 
@@ -139,16 +169,19 @@ int loops_shares_setup_f32(const loops_params_f32 *p, loops_shares_ctx_f32 *ctx)
  *
  * Cost: 31 flops (15 mul, 12 add, 1 div, 3 sqrt), 1 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
- * @param[in] ctx what shares_setup left, its status not negative
- * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]
- * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]
+ * @param[in] ctx what shares_setup left; refused if it is not ready
+ * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]; each tick
+ * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]; each tick
  * @param[in] l a length for each leg, for each leg, refused outside [0, 1000], working range [0,
- *     2]
+ *     2]; each tick
  * @param[out] share share, for each leg
  * @param[out] first first
  * @param[out] l_out l, for each leg
  * @return ARMILLARY_OK, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   LIMIT: one is long
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see loops_shares_f32
+ * @see loops_shares_setup_f32
  */
 int loops_shares_step_f32(
     const loops_shares_ctx_f32 *ctx, float x, float turn, const float l[3], float share[3],
@@ -161,9 +194,9 @@ int loops_shares_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: R, h, unread
  * @param[in] v a vector for each leg, for each leg, refused outside [-1000, 1000], working range
- *     [-2, 2]
- * @param[in] w a vector, refused outside [-1000, 1000], working range [-2, 2]
- * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]
+ *     [-2, 2]; each tick
+ * @param[in] w a vector, refused outside [-1000, 1000], working range [-2, 2]; each tick
+ * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]; each tick
  * @param[out] arm arm, for each leg, 3 by 3, row-major (loops-arm)
  * @param[out] sum sum
  * @param[out] last last
@@ -175,55 +208,13 @@ int loops_arms_f32(
     float sum[3], float last[3], float rows[9]);
 
 /**
- * @brief What arms_setup hands to arms_step: 9 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  float S_x[3];
-  float S_y[3];
-  float S_z[3];
-} loops_arms_ctx_f32;
-
-/**
- * @brief Set-up of arms: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
- * @param[in] p parameters; not read: R, h, unread
- * @param[out] ctx what arms_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int loops_arms_setup_f32(const loops_params_f32 *p, loops_arms_ctx_f32 *ctx);
-
-/**
- * @brief Step of arms. arms step.
- *
- * Cost: 69 flops (36 mul, 33 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Inputs are read while results are written: they must not overlap.
- * @param[in] ctx what arms_setup left, its status not negative
- * @param[in] v a vector for each leg, for each leg, refused outside [-1000, 1000], working range
- *     [-2, 2]
- * @param[in] w a vector, refused outside [-1000, 1000], working range [-2, 2]
- * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]
- * @param[out] arm arm, for each leg, 3 by 3, row-major (loops-arm)
- * @param[out] sum sum
- * @param[out] last last
- * @param[out] rows rows, for each leg, 3 by 3, row-major
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int loops_arms_step_f32(
-    const loops_arms_ctx_f32 *ctx, const float v[9], const float w[3], float x, float arm[9],
-    float sum[3], float last[3], float rows[9]);
-
-/**
  * @brief grid.
  *
  * Cost: 53 flops (26 mul, 25 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: R, S, unread
- * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]
- * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]
+ * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]; each tick
+ * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]; each tick
  * @param[out] tilt tilt, for each leg and facet, 3 by 2, row-major (loops-tilt)
  * @param[out] row row, for each facet
  * @param[out] column column, for each leg
@@ -233,43 +224,6 @@ int loops_arms_step_f32(
 int loops_grid_f32(
     const loops_params_f32 *p, float x, float turn, float tilt[6], float row[2], float column[3],
     float *all);
-
-/**
- * @brief What grid_setup hands to grid_step: 2 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  float h[2];
-} loops_grid_ctx_f32;
-
-/**
- * @brief Set-up of grid: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
- * @param[in] p parameters; not read: R, S, unread
- * @param[out] ctx what grid_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int loops_grid_setup_f32(const loops_params_f32 *p, loops_grid_ctx_f32 *ctx);
-
-/**
- * @brief Step of grid. grid step.
- *
- * Cost: 53 flops (26 mul, 25 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * @param[in] ctx what grid_setup left, its status not negative
- * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]
- * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]
- * @param[out] tilt tilt, for each leg and facet, 3 by 2, row-major (loops-tilt)
- * @param[out] row row, for each facet
- * @param[out] column column, for each leg
- * @param[out] all all
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int loops_grid_step_f32(
-    const loops_grid_ctx_f32 *ctx, float x, float turn, float tilt[6], float row[2],
-    float column[3], float *all);
 
 /**
  * @brief still.
@@ -293,9 +247,9 @@ int loops_still_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; none of them is read
  * @param[in] l a length for each leg, for each leg, refused outside [0, 1000], working range [0,
- *     2]
+ *     2]; each tick
  * @param[in] v a vector for each leg, for each leg, refused outside [-1000, 1000], working range
- *     [-2, 2]
+ *     [-2, 2]; each tick
  * @param[out] k k
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -303,7 +257,7 @@ int loops_ignored_f32(const loops_params_f32 *p, const float l[3], const float v
 
 #if DBL_MANT_DIG >= 53
 
-/** Parameters of the loops system. */
+/** Parameters of the loops system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** A size for each leg, for each leg, refused outside [0, 1000], working range [0.1, 1]. */
   double R[3];
@@ -325,12 +279,14 @@ typedef struct {
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: S, h, unread
  * @param[in] l a length for each leg, for each leg, refused outside [0, 1000], working range [0,
- *     2]
- * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]
- * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]
+ *     2]; each tick
+ * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]; each tick
+ * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]; each tick
  * @param[out] rod rod, for each leg (loops-rod)
  * @param[out] whole whole (loops-whole)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see loops_rods_setup_f64
+ * @see loops_rods_step_f64
  */
 int loops_rods_f64(
     const loops_params_f64 *p, const double l[3], double x, double turn, double rod[3],
@@ -338,9 +294,14 @@ int loops_rods_f64(
 
 /**
  * @brief What rods_setup hands to rods_step: 3 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of rods_setup and a mark from its end, if it did not refuse.
+ *     Without the mark rods_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double m1[3];
 } loops_rods_ctx_f64;
 
@@ -348,11 +309,14 @@ typedef struct {
  * @brief Set-up of rods: all of it that changes with the mount only.
  *
  * Cost: 3 flops (3 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: S, h, unread
- * @param[out] ctx what rods_step reads; untouched where the status is negative
+ * @param[out] ctx what rods_step reads; not ready where the status is negative, whatever it held
+ *     before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see loops_rods_f64
+ * @see loops_rods_step_f64
  */
 int loops_rods_setup_f64(const loops_params_f64 *p, loops_rods_ctx_f64 *ctx);
 
@@ -361,14 +325,17 @@ int loops_rods_setup_f64(const loops_params_f64 *p, loops_rods_ctx_f64 *ctx);
  *
  * Cost: 27 flops (12 mul, 12 add, 0 div, 3 sqrt), 1 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
- * @param[in] ctx what rods_setup left, its status not negative
+ * @param[in] ctx what rods_setup left; refused if it is not ready
  * @param[in] l a length for each leg, for each leg, refused outside [0, 1000], working range [0,
- *     2]
- * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]
- * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]
+ *     2]; each tick
+ * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]; each tick
+ * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]; each tick
  * @param[out] rod rod, for each leg (loops-rod)
  * @param[out] whole whole (loops-whole)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see loops_rods_f64
+ * @see loops_rods_setup_f64
  */
 int loops_rods_step_f64(
     const loops_rods_ctx_f64 *ctx, const double l[3], double x, double turn, double rod[3],
@@ -380,15 +347,17 @@ int loops_rods_step_f64(
  * Cost: 34 flops (18 mul, 12 add, 1 div, 3 sqrt), 1 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: S, h, unread
- * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]
- * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]
+ * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]; each tick
+ * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]; each tick
  * @param[in] l a length for each leg, for each leg, refused outside [0, 1000], working range [0,
- *     2]
+ *     2]; each tick
  * @param[out] share share, for each leg
  * @param[out] first first
  * @param[out] l_out l, for each leg
  * @return ARMILLARY_OK, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   LIMIT: one is long
+ * @see loops_shares_setup_f64
+ * @see loops_shares_step_f64
  */
 int loops_shares_f64(
     const loops_params_f64 *p, double x, double turn, const double l[3], double share[3],
@@ -396,9 +365,14 @@ int loops_shares_f64(
 
 /**
  * @brief What shares_setup hands to shares_step: 3 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of shares_setup and a mark from its end, if it did not refuse.
+ *     Without the mark shares_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double m1[3];
 } loops_shares_ctx_f64;
 
@@ -406,11 +380,14 @@ typedef struct {
  * @brief Set-up of shares: all of it that changes with the mount only.
  *
  * Cost: 3 flops (3 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: S, h, unread
- * @param[out] ctx what shares_step reads; untouched where the status is negative
+ * @param[out] ctx what shares_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see loops_shares_f64
+ * @see loops_shares_step_f64
  */
 int loops_shares_setup_f64(const loops_params_f64 *p, loops_shares_ctx_f64 *ctx);
 
@@ -419,16 +396,19 @@ int loops_shares_setup_f64(const loops_params_f64 *p, loops_shares_ctx_f64 *ctx)
  *
  * Cost: 31 flops (15 mul, 12 add, 1 div, 3 sqrt), 1 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
- * @param[in] ctx what shares_setup left, its status not negative
- * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]
- * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]
+ * @param[in] ctx what shares_setup left; refused if it is not ready
+ * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]; each tick
+ * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]; each tick
  * @param[in] l a length for each leg, for each leg, refused outside [0, 1000], working range [0,
- *     2]
+ *     2]; each tick
  * @param[out] share share, for each leg
  * @param[out] first first
  * @param[out] l_out l, for each leg
  * @return ARMILLARY_OK, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   LIMIT: one is long
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see loops_shares_f64
+ * @see loops_shares_setup_f64
  */
 int loops_shares_step_f64(
     const loops_shares_ctx_f64 *ctx, double x, double turn, const double l[3], double share[3],
@@ -441,9 +421,9 @@ int loops_shares_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: R, h, unread
  * @param[in] v a vector for each leg, for each leg, refused outside [-1000, 1000], working range
- *     [-2, 2]
- * @param[in] w a vector, refused outside [-1000, 1000], working range [-2, 2]
- * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]
+ *     [-2, 2]; each tick
+ * @param[in] w a vector, refused outside [-1000, 1000], working range [-2, 2]; each tick
+ * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]; each tick
  * @param[out] arm arm, for each leg, 3 by 3, row-major (loops-arm)
  * @param[out] sum sum
  * @param[out] last last
@@ -455,55 +435,13 @@ int loops_arms_f64(
     double sum[3], double last[3], double rows[9]);
 
 /**
- * @brief What arms_setup hands to arms_step: 9 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  double S_x[3];
-  double S_y[3];
-  double S_z[3];
-} loops_arms_ctx_f64;
-
-/**
- * @brief Set-up of arms: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
- * @param[in] p parameters; not read: R, h, unread
- * @param[out] ctx what arms_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int loops_arms_setup_f64(const loops_params_f64 *p, loops_arms_ctx_f64 *ctx);
-
-/**
- * @brief Step of arms. arms step.
- *
- * Cost: 69 flops (36 mul, 33 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Inputs are read while results are written: they must not overlap.
- * @param[in] ctx what arms_setup left, its status not negative
- * @param[in] v a vector for each leg, for each leg, refused outside [-1000, 1000], working range
- *     [-2, 2]
- * @param[in] w a vector, refused outside [-1000, 1000], working range [-2, 2]
- * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]
- * @param[out] arm arm, for each leg, 3 by 3, row-major (loops-arm)
- * @param[out] sum sum
- * @param[out] last last
- * @param[out] rows rows, for each leg, 3 by 3, row-major
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int loops_arms_step_f64(
-    const loops_arms_ctx_f64 *ctx, const double v[9], const double w[3], double x, double arm[9],
-    double sum[3], double last[3], double rows[9]);
-
-/**
  * @brief grid.
  *
  * Cost: 53 flops (26 mul, 25 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: R, S, unread
- * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]
- * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]
+ * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]; each tick
+ * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]; each tick
  * @param[out] tilt tilt, for each leg and facet, 3 by 2, row-major (loops-tilt)
  * @param[out] row row, for each facet
  * @param[out] column column, for each leg
@@ -512,43 +450,6 @@ int loops_arms_step_f64(
  */
 int loops_grid_f64(
     const loops_params_f64 *p, double x, double turn, double tilt[6], double row[2],
-    double column[3], double *all);
-
-/**
- * @brief What grid_setup hands to grid_step: 2 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  double h[2];
-} loops_grid_ctx_f64;
-
-/**
- * @brief Set-up of grid: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
- * @param[in] p parameters; not read: R, S, unread
- * @param[out] ctx what grid_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int loops_grid_setup_f64(const loops_params_f64 *p, loops_grid_ctx_f64 *ctx);
-
-/**
- * @brief Step of grid. grid step.
- *
- * Cost: 53 flops (26 mul, 25 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * @param[in] ctx what grid_setup left, its status not negative
- * @param[in] x a number, refused outside [-1000, 1000], working range [0.5, 1.5]
- * @param[in] turn an angle, rad, refused outside [-1000, 1000], working range [-3, 3]
- * @param[out] tilt tilt, for each leg and facet, 3 by 2, row-major (loops-tilt)
- * @param[out] row row, for each facet
- * @param[out] column column, for each leg
- * @param[out] all all
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int loops_grid_step_f64(
-    const loops_grid_ctx_f64 *ctx, double x, double turn, double tilt[6], double row[2],
     double column[3], double *all);
 
 /**
@@ -573,9 +474,9 @@ int loops_still_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; none of them is read
  * @param[in] l a length for each leg, for each leg, refused outside [0, 1000], working range [0,
- *     2]
+ *     2]; each tick
  * @param[in] v a vector for each leg, for each leg, refused outside [-1000, 1000], working range
- *     [-2, 2]
+ *     [-2, 2]; each tick
  * @param[out] k k
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_LOOPS_ABI) || (ARMILLARY_LOOPS_ABI != 0x8a96921aUL)
+#if !defined(ARMILLARY_LOOPS_ABI) || (ARMILLARY_LOOPS_ABI != 0x13f5b034UL)
 #error "loops.h is of another version than this file: copy both from one release"
 #endif
 

@@ -3,12 +3,19 @@
  * @file altazimuth.h
  * @brief Altazimuth tracker.
  *
- * SI units, radians, right-handed frames; vectors at the boundary are local
- * east-north-up unless stated. Matrices are flat and row-major. Every function returns
- * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written. No pointer may be null. Inputs are read
- * before results are written, so they may overlap. Where an input and a result have one
- * name, the result's argument ends in _out.
+ * SI units, radians, right-handed frames; vectors at the boundary are local east-north-up
+ * unless stated. Matrices are flat and row-major. Every function returns an ARMILLARY status:
+ * 0 is OK, positive means every result is defined and finite, negative means that no result
+ * was written. No pointer may be null. Inputs are read before results are written, so they
+ * may overlap.
+ *
+ * Where an input and a result have one name, the result's argument ends in _out. A letter
+ * that headers of C, Arduino or AVR define as a macro (F, I) is nobody's name here: such a
+ * result ends in _out too, and such an input has a longer name.
+ *
+ * X_setup does what X does with all that the mount holds, once, and leaves it in a ctx;
+ * X_step does the rest, each time. A kernel whose step would cost no less than itself has
+ * neither.
  */
 #ifndef ARMILLARY_ALTAZIMUTH_H
 #define ARMILLARY_ALTAZIMUTH_H
@@ -18,13 +25,13 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_ALTAZIMUTH_ABI 0x34c8f85dUL
+#define ARMILLARY_ALTAZIMUTH_ABI 0x7ab08c2fUL
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/** Parameters of the altazimuth system. */
+/** Parameters of the altazimuth system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** Height of the column, m, refused outside [0, 1e+06], working range [0, 10]. */
   float L_0;
@@ -42,20 +49,27 @@ typedef struct {
  * Cost: 10 flops (8 mul, 2 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] gamma azimuth drive angle, clockwise seen from above, rad, refused outside [-1000,
- *     1000], working range [-3.2, 3.2]
+ *     1000], working range [-3.2, 3.2]; each tick
  * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
  *     rotation beside the position of its origin in m, 4 by 4, row-major (altazimuth-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see altazimuth_pose_setup_f32
+ * @see altazimuth_pose_step_f32
  */
 int altazimuth_pose_f32(const altazimuth_params_f32 *p, float gamma, float upsilon, float M[16]);
 
 /**
  * @brief What pose_setup hands to pose_step: 2 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of pose_setup and a mark from its end, if it did not refuse.
+ *     Without the mark pose_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float L_2;
   float m1;
 } altazimuth_pose_ctx_f32;
@@ -64,10 +78,14 @@ typedef struct {
  * @brief Set-up of pose: all of it that changes with the mount only.
  *
  * Cost: 1 flops (0 mul, 1 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what pose_step reads; untouched where the status is negative
+ * @param[out] ctx what pose_step reads; not ready where the status is negative, whatever it held
+ *     before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see altazimuth_pose_f32
+ * @see altazimuth_pose_step_f32
  */
 int altazimuth_pose_setup_f32(const altazimuth_params_f32 *p, altazimuth_pose_ctx_f32 *ctx);
 
@@ -75,14 +93,17 @@ int altazimuth_pose_setup_f32(const altazimuth_params_f32 *p, altazimuth_pose_ct
  * @brief Step of pose. Pose of the collector.
  *
  * Cost: 8 flops (7 mul, 1 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what pose_setup left, its status not negative
+ * @param[in] ctx what pose_setup left; refused if it is not ready
  * @param[in] gamma azimuth drive angle, clockwise seen from above, rad, refused outside [-1000,
- *     1000], working range [-3.2, 3.2]
+ *     1000], working range [-3.2, 3.2]; each tick
  * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
  *     rotation beside the position of its origin in m, 4 by 4, row-major (altazimuth-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see altazimuth_pose_f32
+ * @see altazimuth_pose_setup_f32
  */
 int altazimuth_pose_step_f32(
     const altazimuth_pose_ctx_f32 *ctx, float gamma, float upsilon, float M[16]);
@@ -93,13 +114,13 @@ int altazimuth_pose_step_f32(
  * Cost: 23 flops (19 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] gamma azimuth drive angle, clockwise seen from above, rad, refused outside [-1000,
- *     1000], working range [-3.2, 3.2]
+ *     1000], working range [-3.2, 3.2]; each tick
  * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] gamma_dot rate of gamma, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] upsilon_dot rate of upsilon, rad/s, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
  *     (altazimuth-Omega_space)
  * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
@@ -119,67 +140,14 @@ int altazimuth_velocity_f32(
     float v_spatial[3], float V_space[16]);
 
 /**
- * @brief What velocity_setup hands to velocity_step: 3 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  float L_2;
-  float L_0;
-  float L_1;
-} altazimuth_velocity_ctx_f32;
-
-/**
- * @brief Set-up of velocity: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters
- * @param[out] ctx what velocity_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int altazimuth_velocity_setup_f32(
-    const altazimuth_params_f32 *p, altazimuth_velocity_ctx_f32 *ctx);
-
-/**
- * @brief Step of velocity. Motion of the collector while the drives run.
- *
- * Cost: 23 flops (19 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what velocity_setup left, its status not negative
- * @param[in] gamma azimuth drive angle, clockwise seen from above, rad, refused outside [-1000,
- *     1000], working range [-3.2, 3.2]
- * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
- * @param[in] gamma_dot rate of gamma, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
- * @param[in] upsilon_dot rate of upsilon, rad/s, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
- * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
- *     (altazimuth-Omega_space)
- * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
- *     (altazimuth-Omega_body)
- * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
- *     (altazimuth-v_origin)
- * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
- *     m/s (altazimuth-v_spatial)
- * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
- *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
- *     (altazimuth-V_space)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int altazimuth_velocity_step_f32(
-    const altazimuth_velocity_ctx_f32 *ctx, float gamma, float upsilon, float gamma_dot,
-    float upsilon_dot, float Omega_space[3], float Omega_body[3], float v_origin[3],
-    float v_spatial[3], float V_space[16]);
-
-/**
  * @brief Motion of the collector per unit speed of each drive.
  *
  * Cost: 6 flops (6 mul, 0 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: L_0, L_1
  * @param[in] gamma azimuth drive angle, clockwise seen from above, rad, refused outside [-1000,
- *     1000], working range [-3.2, 3.2]
+ *     1000], working range [-3.2, 3.2]; each tick
  * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
  *     its origin, m per unit of drive, over three for its angular velocity; columns gamma,
  *     upsilon, 6 by 2, row-major (altazimuth-J)
@@ -189,49 +157,12 @@ int altazimuth_jacobian_f32(
     const altazimuth_params_f32 *p, float gamma, float upsilon, float J[12]);
 
 /**
- * @brief What jacobian_setup hands to jacobian_step: 1 number.
- * Its fields may change from version to version.
- */
-typedef struct {
-  float L_2;
-} altazimuth_jacobian_ctx_f32;
-
-/**
- * @brief Set-up of jacobian: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters; not read: L_0, L_1
- * @param[out] ctx what jacobian_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int altazimuth_jacobian_setup_f32(
-    const altazimuth_params_f32 *p, altazimuth_jacobian_ctx_f32 *ctx);
-
-/**
- * @brief Step of jacobian. Motion of the collector per unit speed of each drive.
- *
- * Cost: 6 flops (6 mul, 0 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_setup left, its status not negative
- * @param[in] gamma azimuth drive angle, clockwise seen from above, rad, refused outside [-1000,
- *     1000], working range [-3.2, 3.2]
- * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
- * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
- *     its origin, m per unit of drive, over three for its angular velocity; columns gamma,
- *     upsilon, 6 by 2, row-major (altazimuth-J)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int altazimuth_jacobian_step_f32(
-    const altazimuth_jacobian_ctx_f32 *ctx, float gamma, float upsilon, float J[12]);
-
-/**
  * @brief Drive angles that put the collector's third axis on the sun.
  *
  * Cost: 4 flops (2 mul, 1 add, 0 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[out] gamma azimuth drive angle that faces the sun, rad (altazimuth-gamma_aim)
  * @param[out] upsilon tilt that faces the sun, in [0, pi], rad (altazimuth-upsilon_aim)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -242,7 +173,7 @@ int altazimuth_aim_f32(
 
 #if DBL_MANT_DIG >= 53
 
-/** Parameters of the altazimuth system. */
+/** Parameters of the altazimuth system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** Height of the column, m, refused outside [0, 1e+06], working range [0, 10]. */
   double L_0;
@@ -260,21 +191,28 @@ typedef struct {
  * Cost: 10 flops (8 mul, 2 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] gamma azimuth drive angle, clockwise seen from above, rad, refused outside [-1000,
- *     1000], working range [-3.2, 3.2]
+ *     1000], working range [-3.2, 3.2]; each tick
  * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
  *     rotation beside the position of its origin in m, 4 by 4, row-major (altazimuth-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see altazimuth_pose_setup_f64
+ * @see altazimuth_pose_step_f64
  */
 int altazimuth_pose_f64(
     const altazimuth_params_f64 *p, double gamma, double upsilon, double M[16]);
 
 /**
  * @brief What pose_setup hands to pose_step: 2 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of pose_setup and a mark from its end, if it did not refuse.
+ *     Without the mark pose_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double L_2;
   double m1;
 } altazimuth_pose_ctx_f64;
@@ -283,10 +221,14 @@ typedef struct {
  * @brief Set-up of pose: all of it that changes with the mount only.
  *
  * Cost: 1 flops (0 mul, 1 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what pose_step reads; untouched where the status is negative
+ * @param[out] ctx what pose_step reads; not ready where the status is negative, whatever it held
+ *     before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see altazimuth_pose_f64
+ * @see altazimuth_pose_step_f64
  */
 int altazimuth_pose_setup_f64(const altazimuth_params_f64 *p, altazimuth_pose_ctx_f64 *ctx);
 
@@ -294,14 +236,17 @@ int altazimuth_pose_setup_f64(const altazimuth_params_f64 *p, altazimuth_pose_ct
  * @brief Step of pose. Pose of the collector.
  *
  * Cost: 8 flops (7 mul, 1 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what pose_setup left, its status not negative
+ * @param[in] ctx what pose_setup left; refused if it is not ready
  * @param[in] gamma azimuth drive angle, clockwise seen from above, rad, refused outside [-1000,
- *     1000], working range [-3.2, 3.2]
+ *     1000], working range [-3.2, 3.2]; each tick
  * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
  *     rotation beside the position of its origin in m, 4 by 4, row-major (altazimuth-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see altazimuth_pose_f64
+ * @see altazimuth_pose_setup_f64
  */
 int altazimuth_pose_step_f64(
     const altazimuth_pose_ctx_f64 *ctx, double gamma, double upsilon, double M[16]);
@@ -312,13 +257,13 @@ int altazimuth_pose_step_f64(
  * Cost: 23 flops (19 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] gamma azimuth drive angle, clockwise seen from above, rad, refused outside [-1000,
- *     1000], working range [-3.2, 3.2]
+ *     1000], working range [-3.2, 3.2]; each tick
  * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] gamma_dot rate of gamma, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] upsilon_dot rate of upsilon, rad/s, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
  *     (altazimuth-Omega_space)
  * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
@@ -338,67 +283,14 @@ int altazimuth_velocity_f64(
     double v_spatial[3], double V_space[16]);
 
 /**
- * @brief What velocity_setup hands to velocity_step: 3 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  double L_2;
-  double L_0;
-  double L_1;
-} altazimuth_velocity_ctx_f64;
-
-/**
- * @brief Set-up of velocity: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters
- * @param[out] ctx what velocity_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int altazimuth_velocity_setup_f64(
-    const altazimuth_params_f64 *p, altazimuth_velocity_ctx_f64 *ctx);
-
-/**
- * @brief Step of velocity. Motion of the collector while the drives run.
- *
- * Cost: 23 flops (19 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what velocity_setup left, its status not negative
- * @param[in] gamma azimuth drive angle, clockwise seen from above, rad, refused outside [-1000,
- *     1000], working range [-3.2, 3.2]
- * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
- * @param[in] gamma_dot rate of gamma, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
- * @param[in] upsilon_dot rate of upsilon, rad/s, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
- * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
- *     (altazimuth-Omega_space)
- * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
- *     (altazimuth-Omega_body)
- * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
- *     (altazimuth-v_origin)
- * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
- *     m/s (altazimuth-v_spatial)
- * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
- *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
- *     (altazimuth-V_space)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int altazimuth_velocity_step_f64(
-    const altazimuth_velocity_ctx_f64 *ctx, double gamma, double upsilon, double gamma_dot,
-    double upsilon_dot, double Omega_space[3], double Omega_body[3], double v_origin[3],
-    double v_spatial[3], double V_space[16]);
-
-/**
  * @brief Motion of the collector per unit speed of each drive.
  *
  * Cost: 6 flops (6 mul, 0 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: L_0, L_1
  * @param[in] gamma azimuth drive angle, clockwise seen from above, rad, refused outside [-1000,
- *     1000], working range [-3.2, 3.2]
+ *     1000], working range [-3.2, 3.2]; each tick
  * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
  *     its origin, m per unit of drive, over three for its angular velocity; columns gamma,
  *     upsilon, 6 by 2, row-major (altazimuth-J)
@@ -408,49 +300,12 @@ int altazimuth_jacobian_f64(
     const altazimuth_params_f64 *p, double gamma, double upsilon, double J[12]);
 
 /**
- * @brief What jacobian_setup hands to jacobian_step: 1 number.
- * Its fields may change from version to version.
- */
-typedef struct {
-  double L_2;
-} altazimuth_jacobian_ctx_f64;
-
-/**
- * @brief Set-up of jacobian: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters; not read: L_0, L_1
- * @param[out] ctx what jacobian_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int altazimuth_jacobian_setup_f64(
-    const altazimuth_params_f64 *p, altazimuth_jacobian_ctx_f64 *ctx);
-
-/**
- * @brief Step of jacobian. Motion of the collector per unit speed of each drive.
- *
- * Cost: 6 flops (6 mul, 0 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_setup left, its status not negative
- * @param[in] gamma azimuth drive angle, clockwise seen from above, rad, refused outside [-1000,
- *     1000], working range [-3.2, 3.2]
- * @param[in] upsilon tilt of the collector from the zenith, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
- * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
- *     its origin, m per unit of drive, over three for its angular velocity; columns gamma,
- *     upsilon, 6 by 2, row-major (altazimuth-J)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int altazimuth_jacobian_step_f64(
-    const altazimuth_jacobian_ctx_f64 *ctx, double gamma, double upsilon, double J[12]);
-
-/**
  * @brief Drive angles that put the collector's third axis on the sun.
  *
  * Cost: 4 flops (2 mul, 1 add, 0 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[out] gamma azimuth drive angle that faces the sun, rad (altazimuth-gamma_aim)
  * @param[out] upsilon tilt that faces the sun, in [0, pi], rad (altazimuth-upsilon_aim)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_ALTAZIMUTH_ABI) || (ARMILLARY_ALTAZIMUTH_ABI != 0x34c8f85dUL)
+#if !defined(ARMILLARY_ALTAZIMUTH_ABI) || (ARMILLARY_ALTAZIMUTH_ABI != 0x7ab08c2fUL)
 #error "altazimuth.h is of another version than this file: copy both from one release"
 #endif
 

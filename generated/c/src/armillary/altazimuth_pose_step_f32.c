@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_ALTAZIMUTH_ABI) || (ARMILLARY_ALTAZIMUTH_ABI != 0x34c8f85dUL)
+#if !defined(ARMILLARY_ALTAZIMUTH_ABI) || (ARMILLARY_ALTAZIMUTH_ABI != 0x7ab08c2fUL)
 #error "altazimuth.h is of another version than this file: copy both from one release"
 #endif
 
@@ -20,6 +20,7 @@
 
 int altazimuth_pose_setup_f32(const altazimuth_params_f32 *p, altazimuth_pose_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float L_0 = p->L_0;
   const float L_1 = p->L_1;
   const float L_2 = p->L_2;
@@ -37,6 +38,7 @@ int altazimuth_pose_setup_f32(const altazimuth_params_f32 *p, altazimuth_pose_ct
   } else {
     ctx->L_2 = L_2;
     ctx->m1 = L_0 + L_1;
+    ctx->ready = 0xd94625e4UL;
   }
   return status;
 }
@@ -46,16 +48,19 @@ int altazimuth_pose_step_f32(
 {
   const float L_2 = ctx->L_2;
   const float m1 = ctx->m1;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xd94625e4UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(gamma) <= 1000.0f) ||
       !(fabsf(upsilon) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(gamma) <= FLT_MAX) && !(fabsf(gamma) <= 1000.0f)) ||
         ((fabsf(upsilon) <= FLT_MAX) && !(fabsf(upsilon) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_upsilon = sinf(upsilon);
     const float cos_upsilon = cosf(upsilon);
     const float sin_gamma = sinf(gamma);

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_ALTAZIMUTH_ABI) || (ARMILLARY_ALTAZIMUTH_ABI != 0x34c8f85dUL)
+#if !defined(ARMILLARY_ALTAZIMUTH_ABI) || (ARMILLARY_ALTAZIMUTH_ABI != 0x7ab08c2fUL)
 #error "altazimuth.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@
 
 int altazimuth_pose_setup_f64(const altazimuth_params_f64 *p, altazimuth_pose_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double L_0 = p->L_0;
   const double L_1 = p->L_1;
   const double L_2 = p->L_2;
@@ -39,6 +40,7 @@ int altazimuth_pose_setup_f64(const altazimuth_params_f64 *p, altazimuth_pose_ct
   } else {
     ctx->L_2 = L_2;
     ctx->m1 = L_0 + L_1;
+    ctx->ready = 0xc98581d8UL;
   }
   return status;
 }
@@ -48,16 +50,19 @@ int altazimuth_pose_step_f64(
 {
   const double L_2 = ctx->L_2;
   const double m1 = ctx->m1;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xc98581d8UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(gamma) <= 1000.0) ||
       !(fabs(upsilon) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(gamma) <= DBL_MAX) && !(fabs(gamma) <= 1000.0)) ||
         ((fabs(upsilon) <= DBL_MAX) && !(fabs(upsilon) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double sin_upsilon = sin(upsilon);
     const double cos_upsilon = cos(upsilon);
     const double sin_gamma = sin(gamma);

@@ -20,7 +20,8 @@
 #define ARMILLARY_LIMIT 5
 /** An input is nan or infinite; outputs were not written. */
 #define ARMILLARY_NOT_FINITE (-1)
-/** An input lies beyond its limits or has no physical meaning; outputs were not written. */
+/** An input lies beyond its limits or has no physical meaning, or the context of a step is not
+    ready; outputs were not written. */
 #define ARMILLARY_OUT_OF_RANGE (-2)
 /** No pose of the mechanism answers; outputs were not written. */
 #define ARMILLARY_UNREACHABLE (-3)

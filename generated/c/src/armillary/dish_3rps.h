@@ -3,12 +3,19 @@
  * @file dish_3rps.h
  * @brief Dish on 3-RPS platforms.
  *
- * SI units, radians, right-handed frames; vectors at the boundary are local
- * east-north-up unless stated. Matrices are flat and row-major. Every function returns
- * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written. No pointer may be null. Inputs are read
- * before results are written, so they may overlap, except where a function says that they
- * must not. Where an input and a result have one name, the result's argument ends in _out.
+ * SI units, radians, right-handed frames; vectors at the boundary are local east-north-up
+ * unless stated. Matrices are flat and row-major. Every function returns an ARMILLARY status:
+ * 0 is OK, positive means every result is defined and finite, negative means that no result
+ * was written. No pointer may be null. Inputs are read before results are written, so they
+ * may overlap, except where a function says that they must not.
+ *
+ * Where an input and a result have one name, the result's argument ends in _out. A letter
+ * that headers of C, Arduino or AVR define as a macro (F, I) is nobody's name here: such a
+ * result ends in _out too, and such an input has a longer name.
+ *
+ * X_setup does what X does with all that the mount holds, once, and leaves it in a ctx;
+ * X_step does the rest, each time. A kernel whose step would cost no less than itself has
+ * neither.
  */
 #ifndef ARMILLARY_DISH_3RPS_H
 #define ARMILLARY_DISH_3RPS_H
@@ -18,13 +25,13 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_DISH_3RPS_ABI 0x118147c1UL
+#define ARMILLARY_DISH_3RPS_ABI 0x034259ccUL
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/** Parameters of the dish 3rps system. */
+/** Parameters of the dish 3rps system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** Focal length of the dish, m, refused outside [0.001, 1000], working range [0.5, 10]. */
   float f;
@@ -73,9 +80,10 @@ typedef struct {
  *
  * Cost: 4 flops (3 mul, 0 add, 1 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
- * @param[in] D diameter of the dish, m, refused outside [0, 1000], working range [0.5, 20]
+ * @param[in] D diameter of the dish, m, refused outside [0, 1000], working range [0.5, 20]; held
+ *     by the mount
  * @param[in] theta_rim edge angle: at the focus, from the axis to the rim, rad, refused outside
- *     [0.001, 3.14159], working range [0.1, 2]
+ *     [0.001, 3.14159], working range [0.1, 2]; held by the mount
  * @param[out] f_out focal length of a dish of diameter D and edge angle theta_rim, m
  *     (dish_3rps-f_rim)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -89,7 +97,7 @@ int dish_3rps_focal_length_f32(
  * Cost: 4 flops (2 mul, 1 add, 0 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[out] alpha azimuth of the dish's axis that faces the sun, in [-pi, pi], rad
  *     (dish_3rps-alpha_aim)
  * @param[out] beta angle from the zenith to the dish's axis that faces the sun, in [0, pi], rad
@@ -106,24 +114,31 @@ int dish_3rps_aim_f32(
  * Cost: 74 flops (47 mul, 22 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: r_b, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] H_R_M rotation of the facet: its axes in {H}; x looks at the dish's axis, z is the
  *     normal, 3 by 3, row-major (dish_3rps-H_R_M)
  * @param[out] M the facet's point, {H}, m (dish_3rps-M)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ * @see dish_3rps_facet_setup_f32
+ * @see dish_3rps_facet_step_f32
  */
 int dish_3rps_facet_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float H_R_M[9], float M[3]);
 
 /**
  * @brief What facet_setup hands to facet_step: 11 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of facet_setup and a mark from its end, if it did not refuse.
+ *     Without the mark facet_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds dish_3rps-H_T_P.
  */
 typedef struct {
+  volatile unsigned long ready;
   float phi;
   float m1;
   float m2;
@@ -141,10 +156,14 @@ typedef struct {
  * @brief Set-up of facet: all of it that changes with the mount only.
  *
  * Cost: 12 flops (8 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: r_b, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what facet_step reads; untouched where the status is negative
+ * @param[out] ctx what facet_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_facet_f32
+ * @see dish_3rps_facet_step_f32
  */
 int dish_3rps_facet_setup_f32(const dish_3rps_params_f32 *p, dish_3rps_facet_ctx_f32 *ctx);
 
@@ -152,16 +171,19 @@ int dish_3rps_facet_setup_f32(const dish_3rps_params_f32 *p, dish_3rps_facet_ctx
  * @brief Step of facet. Rotation and point of the facet, in {H}.
  *
  * Cost: 62 flops (39 mul, 21 add, 2 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what facet_setup left, its status not negative
+ * @param[in] ctx what facet_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] H_R_M rotation of the facet: its axes in {H}; x looks at the dish's axis, z is the
  *     normal, 3 by 3, row-major (dish_3rps-H_R_M)
  * @param[out] M the facet's point, {H}, m (dish_3rps-M)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_facet_f32
+ * @see dish_3rps_facet_setup_f32
  */
 int dish_3rps_facet_step_f32(
     const dish_3rps_facet_ctx_f32 *ctx, float alpha, float beta, float H_R_M[9], float M[3]);
@@ -172,20 +194,27 @@ int dish_3rps_facet_step_f32(
  * Cost: 53 flops (32 mul, 16 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] off from the dish's point to the facet's, {H}, m (dish_3rps-off_dish)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ * @see dish_3rps_off_dish_setup_f32
+ * @see dish_3rps_off_dish_step_f32
  */
 int dish_3rps_off_dish_f32(const dish_3rps_params_f32 *p, float alpha, float beta, float off[3]);
 
 /**
  * @brief What off_dish_setup hands to off_dish_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of off_dish_setup and a mark from its end, if it did not refuse.
+ *     Without the mark off_dish_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a
+ *     machine does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float phi;
   float m1;
   float m2;
@@ -200,10 +229,14 @@ typedef struct {
  * @brief Set-up of off_dish: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what off_dish_step reads; untouched where the status is negative
+ * @param[out] ctx what off_dish_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_off_dish_f32
+ * @see dish_3rps_off_dish_step_f32
  */
 int dish_3rps_off_dish_setup_f32(const dish_3rps_params_f32 *p, dish_3rps_off_dish_ctx_f32 *ctx);
 
@@ -211,14 +244,17 @@ int dish_3rps_off_dish_setup_f32(const dish_3rps_params_f32 *p, dish_3rps_off_di
  * @brief Step of off_dish. How far the facet's point stands from the point of the dish, in {H}.
  *
  * Cost: 43 flops (26 mul, 15 add, 2 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what off_dish_setup left, its status not negative
+ * @param[in] ctx what off_dish_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] off from the dish's point to the facet's, {H}, m (dish_3rps-off_dish)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_off_dish_f32
+ * @see dish_3rps_off_dish_setup_f32
  */
 int dish_3rps_off_dish_step_f32(
     const dish_3rps_off_dish_ctx_f32 *ctx, float alpha, float beta, float off[3]);
@@ -229,21 +265,29 @@ int dish_3rps_off_dish_step_f32(
  * Cost: 77 flops (45 mul, 25 add, 3 div, 4 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] l length of rod i; rods 0, 1, 2 stand at 0, 120, -120 degrees from the way to the
  *     dish's axis, counter-clockwise from above, for each leg, m (dish_3rps-l_rod)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ * @see dish_3rps_rod_lengths_setup_f32
+ * @see dish_3rps_rod_lengths_step_f32
  */
 int dish_3rps_rod_lengths_f32(const dish_3rps_params_f32 *p, float alpha, float beta, float l[3]);
 
 /**
  * @brief What rod_lengths_setup hands to rod_lengths_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of rod_lengths_setup and a mark from its end, if it did not
+ *     refuse. Without the mark rod_lengths_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float phi;
   float m1;
   float m2;
@@ -258,10 +302,14 @@ typedef struct {
  * @brief Set-up of rod_lengths: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what rod_lengths_step reads; untouched where the status is negative
+ * @param[out] ctx what rod_lengths_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_rod_lengths_f32
+ * @see dish_3rps_rod_lengths_step_f32
  */
 int dish_3rps_rod_lengths_setup_f32(
     const dish_3rps_params_f32 *p, dish_3rps_rod_lengths_ctx_f32 *ctx);
@@ -270,15 +318,18 @@ int dish_3rps_rod_lengths_setup_f32(
  * @brief Step of rod_lengths. Lengths of the three rods of one facet.
  *
  * Cost: 67 flops (39 mul, 24 add, 1 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what rod_lengths_setup left, its status not negative
+ * @param[in] ctx what rod_lengths_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] l length of rod i; rods 0, 1, 2 stand at 0, 120, -120 degrees from the way to the
  *     dish's axis, counter-clockwise from above, for each leg, m (dish_3rps-l_rod)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_rod_lengths_f32
+ * @see dish_3rps_rod_lengths_setup_f32
  */
 int dish_3rps_rod_lengths_step_f32(
     const dish_3rps_rod_lengths_ctx_f32 *ctx, float alpha, float beta, float l[3]);
@@ -289,22 +340,30 @@ int dish_3rps_rod_lengths_step_f32(
  * Cost: 286 flops (166 mul, 101 add, 6 div, 13 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: phi, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] l length of rod i of facet N: facets to the east, north, west and south, for each
  *     facet and leg, 4 by 3, row-major, m (dish_3rps-l_all)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a facet hangs face down
+ * @see dish_3rps_rod_lengths_all_setup_f32
+ * @see dish_3rps_rod_lengths_all_step_f32
  */
 int dish_3rps_rod_lengths_all_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float l[12]);
 
 /**
  * @brief What rod_lengths_all_setup hands to rod_lengths_all_step: 7 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of rod_lengths_all_setup and a mark from its end, if it did not
+ *     refuse. Without the mark rod_lengths_all_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float m1;
   float m2;
   float r_m;
@@ -318,10 +377,14 @@ typedef struct {
  * @brief Set-up of rod_lengths_all: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: phi, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what rod_lengths_all_step reads; untouched where the status is negative
+ * @param[out] ctx what rod_lengths_all_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_rod_lengths_all_f32
+ * @see dish_3rps_rod_lengths_all_step_f32
  */
 int dish_3rps_rod_lengths_all_setup_f32(
     const dish_3rps_params_f32 *p, dish_3rps_rod_lengths_all_ctx_f32 *ctx);
@@ -331,15 +394,18 @@ int dish_3rps_rod_lengths_all_setup_f32(
  *     degrees; phi is not used.
  *
  * Cost: 276 flops (160 mul, 100 add, 4 div, 12 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what rod_lengths_all_setup left, its status not negative
+ * @param[in] ctx what rod_lengths_all_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] l length of rod i of facet N: facets to the east, north, west and south, for each
  *     facet and leg, 4 by 3, row-major, m (dish_3rps-l_all)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a facet hangs face down
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_rod_lengths_all_f32
+ * @see dish_3rps_rod_lengths_all_setup_f32
  */
 int dish_3rps_rod_lengths_all_step_f32(
     const dish_3rps_rod_lengths_all_ctx_f32 *ctx, float alpha, float beta, float l[12]);
@@ -350,19 +416,21 @@ int dish_3rps_rod_lengths_all_step_f32(
  * Cost: 158 flops (94 mul, 54 add, 6 div, 4 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] z_dot rate of the height of the dish's vertex, m/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] l_dot rate of the length of rod i, for each leg, m/s (dish_3rps-l_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ * @see dish_3rps_rod_rates_setup_f32
+ * @see dish_3rps_rod_rates_step_f32
  */
 int dish_3rps_rod_rates_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -370,9 +438,14 @@ int dish_3rps_rod_rates_f32(
 
 /**
  * @brief What rod_rates_setup hands to rod_rates_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of rod_rates_setup and a mark from its end, if it did not
+ *     refuse. Without the mark rod_rates_step answers ARMILLARY_OUT_OF_RANGE and writes nothing:
+ *     a machine does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float phi;
   float m1;
   float m2;
@@ -387,10 +460,14 @@ typedef struct {
  * @brief Set-up of rod_rates: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what rod_rates_step reads; untouched where the status is negative
+ * @param[out] ctx what rod_rates_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_rod_rates_f32
+ * @see dish_3rps_rod_rates_step_f32
  */
 int dish_3rps_rod_rates_setup_f32(const dish_3rps_params_f32 *p, dish_3rps_rod_rates_ctx_f32 *ctx);
 
@@ -398,21 +475,24 @@ int dish_3rps_rod_rates_setup_f32(const dish_3rps_params_f32 *p, dish_3rps_rod_r
  * @brief Step of rod_rates. Rates of the three rods of one facet.
  *
  * Cost: 148 flops (88 mul, 53 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what rod_rates_setup left, its status not negative
+ * @param[in] ctx what rod_rates_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] z_dot rate of the height of the dish's vertex, m/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] l_dot rate of the length of rod i, for each leg, m/s (dish_3rps-l_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_rod_rates_f32
+ * @see dish_3rps_rod_rates_setup_f32
  */
 int dish_3rps_rod_rates_step_f32(
     const dish_3rps_rod_rates_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -424,19 +504,21 @@ int dish_3rps_rod_rates_step_f32(
  * Cost: 108 flops (71 mul, 32 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] z_dot rate of the height of the dish's vertex, m/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] M_dot velocity of the facet's point, {H}, m/s (dish_3rps-v_M)
  * @param[out] Omega angular velocity of the facet, {H}, rad/s (dish_3rps-Omega_M)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ * @see dish_3rps_facet_rates_setup_f32
+ * @see dish_3rps_facet_rates_step_f32
  */
 int dish_3rps_facet_rates_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -444,9 +526,15 @@ int dish_3rps_facet_rates_f32(
 
 /**
  * @brief What facet_rates_setup hands to facet_rates_step: 9 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of facet_rates_setup and a mark from its end, if it did not
+ *     refuse. Without the mark facet_rates_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float phi;
   float m1;
   float m2;
@@ -462,10 +550,14 @@ typedef struct {
  * @brief Set-up of facet_rates: all of it that changes with the mount only.
  *
  * Cost: 11 flops (7 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what facet_rates_step reads; untouched where the status is negative
+ * @param[out] ctx what facet_rates_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_facet_rates_f32
+ * @see dish_3rps_facet_rates_step_f32
  */
 int dish_3rps_facet_rates_setup_f32(
     const dish_3rps_params_f32 *p, dish_3rps_facet_rates_ctx_f32 *ctx);
@@ -475,21 +567,24 @@ int dish_3rps_facet_rates_setup_f32(
  *     in {H}.
  *
  * Cost: 97 flops (64 mul, 31 add, 2 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what facet_rates_setup left, its status not negative
+ * @param[in] ctx what facet_rates_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] z_dot rate of the height of the dish's vertex, m/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] M_dot velocity of the facet's point, {H}, m/s (dish_3rps-v_M)
  * @param[out] Omega angular velocity of the facet, {H}, rad/s (dish_3rps-Omega_M)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_facet_rates_f32
+ * @see dish_3rps_facet_rates_setup_f32
  */
 int dish_3rps_facet_rates_step_f32(
     const dish_3rps_facet_rates_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -501,24 +596,32 @@ int dish_3rps_facet_rates_step_f32(
  * Cost: 186 flops (122 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] J_A row i of the Jacobian from the facet's twist about its point to the rods'
  *     rates, {H}: three columns in 1 for the velocity, then three in m for the angular velocity,
  *     for each leg, 3 by 6, row-major (dish_3rps-J_A)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ * @see dish_3rps_jacobian_a_setup_f32
+ * @see dish_3rps_jacobian_a_step_f32
  */
 int dish_3rps_jacobian_a_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float J_A[18]);
 
 /**
  * @brief What jacobian_a_setup hands to jacobian_a_step: 10 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of jacobian_a_setup and a mark from its end, if it did not
+ *     refuse. Without the mark jacobian_a_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float phi;
   float m1;
   float m2;
@@ -535,10 +638,14 @@ typedef struct {
  * @brief Set-up of jacobian_a: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what jacobian_a_step reads; untouched where the status is negative
+ * @param[out] ctx what jacobian_a_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_jacobian_a_f32
+ * @see dish_3rps_jacobian_a_step_f32
  */
 int dish_3rps_jacobian_a_setup_f32(
     const dish_3rps_params_f32 *p, dish_3rps_jacobian_a_ctx_f32 *ctx);
@@ -548,17 +655,20 @@ int dish_3rps_jacobian_a_setup_f32(
  *     rods.
  *
  * Cost: 176 flops (116 mul, 53 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_a_setup left, its status not negative
+ * @param[in] ctx what jacobian_a_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] J_A row i of the Jacobian from the facet's twist about its point to the rods'
  *     rates, {H}: three columns in 1 for the velocity, then three in m for the angular velocity,
  *     for each leg, 3 by 6, row-major (dish_3rps-J_A)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_jacobian_a_f32
+ * @see dish_3rps_jacobian_a_setup_f32
  */
 int dish_3rps_jacobian_a_step_f32(
     const dish_3rps_jacobian_a_ctx_f32 *ctx, float alpha, float beta, float J_A[18]);
@@ -569,22 +679,30 @@ int dish_3rps_jacobian_a_step_f32(
  * Cost: 149 flops (100 mul, 44 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] J_B Jacobian from the rates of alpha, beta and z_O to the facet's twist about its
  *     point, {H}: velocity over angular velocity, 6 by 3, row-major (dish_3rps-J_B)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ * @see dish_3rps_jacobian_b_setup_f32
+ * @see dish_3rps_jacobian_b_step_f32
  */
 int dish_3rps_jacobian_b_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float J_B[18]);
 
 /**
  * @brief What jacobian_b_setup hands to jacobian_b_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of jacobian_b_setup and a mark from its end, if it did not
+ *     refuse. Without the mark jacobian_b_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float phi;
   float m1;
   float m2;
@@ -599,10 +717,14 @@ typedef struct {
  * @brief Set-up of jacobian_b: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what jacobian_b_step reads; untouched where the status is negative
+ * @param[out] ctx what jacobian_b_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_jacobian_b_f32
+ * @see dish_3rps_jacobian_b_step_f32
  */
 int dish_3rps_jacobian_b_setup_f32(
     const dish_3rps_params_f32 *p, dish_3rps_jacobian_b_ctx_f32 *ctx);
@@ -612,15 +734,18 @@ int dish_3rps_jacobian_b_setup_f32(
  *     about its point.
  *
  * Cost: 139 flops (94 mul, 43 add, 2 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_b_setup left, its status not negative
+ * @param[in] ctx what jacobian_b_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] J_B Jacobian from the rates of alpha, beta and z_O to the facet's twist about its
  *     point, {H}: velocity over angular velocity, 6 by 3, row-major (dish_3rps-J_B)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_jacobian_b_f32
+ * @see dish_3rps_jacobian_b_setup_f32
  */
 int dish_3rps_jacobian_b_step_f32(
     const dish_3rps_jacobian_b_ctx_f32 *ctx, float alpha, float beta, float J_B[18]);
@@ -632,24 +757,32 @@ int dish_3rps_jacobian_b_step_f32(
  * Cost: 219 flops (146 mul, 63 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] J Jacobian from the facet's twist about its point to the three rates of the rods,
  *     over the three that the hinges make zero, {H}, 6 by 6, row-major (dish_3rps-J)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ * @see dish_3rps_jacobian_full_setup_f32
+ * @see dish_3rps_jacobian_full_step_f32
  */
 int dish_3rps_jacobian_full_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float J[36]);
 
 /**
  * @brief What jacobian_full_setup hands to jacobian_full_step: 22 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of jacobian_full_setup and a mark from its end, if it did not
+ *     refuse. Without the mark jacobian_full_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds dish_3rps-t_H, dish_3rps-J_plane, dish_3rps-J.
  */
 typedef struct {
+  volatile unsigned long ready;
   float phi;
   float m1;
   float m2;
@@ -674,10 +807,14 @@ typedef struct {
  * @brief Set-up of jacobian_full: all of it that changes with the mount only.
  *
  * Cost: 28 flops (18 mul, 7 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what jacobian_full_step reads; untouched where the status is negative
+ * @param[out] ctx what jacobian_full_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_jacobian_full_f32
+ * @see dish_3rps_jacobian_full_step_f32
  */
 int dish_3rps_jacobian_full_setup_f32(
     const dish_3rps_params_f32 *p, dish_3rps_jacobian_full_ctx_f32 *ctx);
@@ -687,16 +824,19 @@ int dish_3rps_jacobian_full_setup_f32(
  *     its rods, over the rates that its hinges make zero.
  *
  * Cost: 191 flops (128 mul, 56 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_full_setup left, its status not negative
+ * @param[in] ctx what jacobian_full_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] J Jacobian from the facet's twist about its point to the three rates of the rods,
  *     over the three that the hinges make zero, {H}, 6 by 6, row-major (dish_3rps-J)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_jacobian_full_f32
+ * @see dish_3rps_jacobian_full_setup_f32
  */
 int dish_3rps_jacobian_full_step_f32(
     const dish_3rps_jacobian_full_ctx_f32 *ctx, float alpha, float beta, float J[36]);
@@ -707,23 +847,31 @@ int dish_3rps_jacobian_full_step_f32(
  * Cost: 204 flops (140 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] J_P row i of the Jacobian from the facet's twist about its point to the rates of
  *     the hinges, {H}, for each leg, 3 by 6, row-major (dish_3rps-J_P)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ * @see dish_3rps_jacobian_passive_setup_f32
+ * @see dish_3rps_jacobian_passive_step_f32
  */
 int dish_3rps_jacobian_passive_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float J_P[18]);
 
 /**
  * @brief What jacobian_passive_setup hands to jacobian_passive_step: 10 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of jacobian_passive_setup and a mark from its end, if it did not
+ *     refuse. Without the mark jacobian_passive_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float phi;
   float d;
   float m1;
@@ -740,10 +888,14 @@ typedef struct {
  * @brief Set-up of jacobian_passive: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what jacobian_passive_step reads; untouched where the status is negative
+ * @param[out] ctx what jacobian_passive_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_jacobian_passive_f32
+ * @see dish_3rps_jacobian_passive_step_f32
  */
 int dish_3rps_jacobian_passive_setup_f32(
     const dish_3rps_params_f32 *p, dish_3rps_jacobian_passive_ctx_f32 *ctx);
@@ -753,16 +905,19 @@ int dish_3rps_jacobian_passive_setup_f32(
  *     of its hinges.
  *
  * Cost: 194 flops (134 mul, 53 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_passive_setup left, its status not negative
+ * @param[in] ctx what jacobian_passive_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] J_P row i of the Jacobian from the facet's twist about its point to the rates of
  *     the hinges, {H}, for each leg, 3 by 6, row-major (dish_3rps-J_P)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_jacobian_passive_f32
+ * @see dish_3rps_jacobian_passive_setup_f32
  */
 int dish_3rps_jacobian_passive_step_f32(
     const dish_3rps_jacobian_passive_ctx_f32 *ctx, float alpha, float beta, float J_P[18]);
@@ -773,19 +928,21 @@ int dish_3rps_jacobian_passive_step_f32(
  * Cost: 161 flops (97 mul, 54 add, 6 div, 4 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] z_dot rate of the height of the dish's vertex, m/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] p_R_dot rate of hinge i, for each leg, rad/s (dish_3rps-p_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ * @see dish_3rps_passive_rates_setup_f32
+ * @see dish_3rps_passive_rates_step_f32
  */
 int dish_3rps_passive_rates_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -793,9 +950,15 @@ int dish_3rps_passive_rates_f32(
 
 /**
  * @brief What passive_rates_setup hands to passive_rates_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of passive_rates_setup and a mark from its end, if it did not
+ *     refuse. Without the mark passive_rates_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float phi;
   float d;
   float m1;
@@ -810,10 +973,14 @@ typedef struct {
  * @brief Set-up of passive_rates: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what passive_rates_step reads; untouched where the status is negative
+ * @param[out] ctx what passive_rates_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_passive_rates_f32
+ * @see dish_3rps_passive_rates_step_f32
  */
 int dish_3rps_passive_rates_setup_f32(
     const dish_3rps_params_f32 *p, dish_3rps_passive_rates_ctx_f32 *ctx);
@@ -822,21 +989,24 @@ int dish_3rps_passive_rates_setup_f32(
  * @brief Step of passive_rates. Rates of the three hinges of one facet.
  *
  * Cost: 151 flops (91 mul, 53 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what passive_rates_setup left, its status not negative
+ * @param[in] ctx what passive_rates_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] z_dot rate of the height of the dish's vertex, m/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] p_R_dot rate of hinge i, for each leg, rad/s (dish_3rps-p_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_passive_rates_f32
+ * @see dish_3rps_passive_rates_setup_f32
  */
 int dish_3rps_passive_rates_step_f32(
     const dish_3rps_passive_rates_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -848,22 +1018,30 @@ int dish_3rps_passive_rates_step_f32(
  * Cost: 143 flops (87 mul, 46 add, 3 div, 7 sqrt), 4 sin/cos, 3 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] s angle of S-joint i: between rod and normal, in [0, pi], for each leg, rad
  *     (dish_3rps-s)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ * @see dish_3rps_joint_angles_setup_f32
+ * @see dish_3rps_joint_angles_step_f32
  */
 int dish_3rps_joint_angles_f32(const dish_3rps_params_f32 *p, float alpha, float beta, float s[3]);
 
 /**
  * @brief What joint_angles_setup hands to joint_angles_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of joint_angles_setup and a mark from its end, if it did not
+ *     refuse. Without the mark joint_angles_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float phi;
   float m1;
   float m2;
@@ -878,10 +1056,14 @@ typedef struct {
  * @brief Set-up of joint_angles: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what joint_angles_step reads; untouched where the status is negative
+ * @param[out] ctx what joint_angles_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_joint_angles_f32
+ * @see dish_3rps_joint_angles_step_f32
  */
 int dish_3rps_joint_angles_setup_f32(
     const dish_3rps_params_f32 *p, dish_3rps_joint_angles_ctx_f32 *ctx);
@@ -891,16 +1073,19 @@ int dish_3rps_joint_angles_setup_f32(
  *     [0, pi].
  *
  * Cost: 133 flops (81 mul, 45 add, 1 div, 6 sqrt), 4 sin/cos, 3 atan2.
- * @param[in] ctx what joint_angles_setup left, its status not negative
+ * @param[in] ctx what joint_angles_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] s angle of S-joint i: between rod and normal, in [0, pi], for each leg, rad
  *     (dish_3rps-s)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_joint_angles_f32
+ * @see dish_3rps_joint_angles_setup_f32
  */
 int dish_3rps_joint_angles_step_f32(
     const dish_3rps_joint_angles_ctx_f32 *ctx, float alpha, float beta, float s[3]);
@@ -911,23 +1096,31 @@ int dish_3rps_joint_angles_step_f32(
  * Cost: 77 flops (45 mul, 25 add, 3 div, 4 sqrt), 4 sin/cos, 3 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] p_R angle of hinge i: of the rod from the vertical, outward positive, for each
  *     leg, rad (dish_3rps-p_R)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ * @see dish_3rps_revolute_angles_setup_f32
+ * @see dish_3rps_revolute_angles_step_f32
  */
 int dish_3rps_revolute_angles_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float p_R[3]);
 
 /**
  * @brief What revolute_angles_setup hands to revolute_angles_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of revolute_angles_setup and a mark from its end, if it did not
+ *     refuse. Without the mark revolute_angles_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float phi;
   float m1;
   float m2;
@@ -942,10 +1135,14 @@ typedef struct {
  * @brief Set-up of revolute_angles: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what revolute_angles_step reads; untouched where the status is negative
+ * @param[out] ctx what revolute_angles_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_revolute_angles_f32
+ * @see dish_3rps_revolute_angles_step_f32
  */
 int dish_3rps_revolute_angles_setup_f32(
     const dish_3rps_params_f32 *p, dish_3rps_revolute_angles_ctx_f32 *ctx);
@@ -955,16 +1152,19 @@ int dish_3rps_revolute_angles_setup_f32(
  *     outward positive.
  *
  * Cost: 67 flops (39 mul, 24 add, 1 div, 3 sqrt), 4 sin/cos, 3 atan2.
- * @param[in] ctx what revolute_angles_setup left, its status not negative
+ * @param[in] ctx what revolute_angles_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] p_R angle of hinge i: of the rod from the vertical, outward positive, for each
  *     leg, rad (dish_3rps-p_R)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_revolute_angles_f32
+ * @see dish_3rps_revolute_angles_setup_f32
  */
 int dish_3rps_revolute_angles_step_f32(
     const dish_3rps_revolute_angles_ctx_f32 *ctx, float alpha, float beta, float p_R[3]);
@@ -977,14 +1177,17 @@ int dish_3rps_revolute_angles_step_f32(
  * Cost: 1807 flops (1037 mul, 748 add, 21 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[in] l length of rod i, for each leg, m, refused outside [0, 1000], working range [2, 4]
+ * @param[in] l length of rod i, for each leg, m, refused outside [0, 1000], working range [2,
+ *     4]; each tick
  * @param[in] guess where the search starts: alpha and beta in rad and z_O in m, refused outside
- *     [-1000, 1000], working range [0, 1.5]
+ *     [-1000, 1000], working range [0, 1.5]; each tick
  * @param[out] H_R_M rotation of the facet on rods of the lengths given: its axes in {H}, 3 by 3,
  *     row-major (dish_3rps-H_R_found)
  * @param[out] M point of the facet on rods of the lengths given, {H}, m (dish_3rps-M_found)
  * @return ARMILLARY_OK, ARMILLARY_NOT_CONVERGED, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   NOT_CONVERGED: the search did not end on rods of these lengths
+ * @see dish_3rps_forward_setup_f32
+ * @see dish_3rps_forward_step_f32
  */
 int dish_3rps_forward_f32(
     const dish_3rps_params_f32 *p, const float l[3], const float guess[3], float H_R_M[9],
@@ -992,10 +1195,15 @@ int dish_3rps_forward_f32(
 
 /**
  * @brief What forward_setup hands to forward_step: 18 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of forward_setup and a mark from its end, if it did not refuse.
+ *     Without the mark forward_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds dish_3rps-H_T_P.
  */
 typedef struct {
+  volatile unsigned long ready;
   float phi;
   float m1;
   float m2;
@@ -1016,10 +1224,14 @@ typedef struct {
  * @brief Set-up of forward: all of it that changes with the mount only.
  *
  * Cost: 19 flops (15 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what forward_step reads; untouched where the status is negative
+ * @param[out] ctx what forward_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_forward_f32
+ * @see dish_3rps_forward_step_f32
  */
 int dish_3rps_forward_setup_f32(const dish_3rps_params_f32 *p, dish_3rps_forward_ctx_f32 *ctx);
 
@@ -1030,15 +1242,19 @@ int dish_3rps_forward_setup_f32(const dish_3rps_params_f32 *p, dish_3rps_forward
  *
  * Cost: 1788 flops (1022 mul, 747 add, 19 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
- * @param[in] ctx what forward_setup left, its status not negative
- * @param[in] l length of rod i, for each leg, m, refused outside [0, 1000], working range [2, 4]
+ * @param[in] ctx what forward_setup left; refused if it is not ready
+ * @param[in] l length of rod i, for each leg, m, refused outside [0, 1000], working range [2,
+ *     4]; each tick
  * @param[in] guess where the search starts: alpha and beta in rad and z_O in m, refused outside
- *     [-1000, 1000], working range [0, 1.5]
+ *     [-1000, 1000], working range [0, 1.5]; each tick
  * @param[out] H_R_M rotation of the facet on rods of the lengths given: its axes in {H}, 3 by 3,
  *     row-major (dish_3rps-H_R_found)
  * @param[out] M point of the facet on rods of the lengths given, {H}, m (dish_3rps-M_found)
  * @return ARMILLARY_OK, ARMILLARY_NOT_CONVERGED, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   NOT_CONVERGED: the search did not end on rods of these lengths
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_forward_f32
+ * @see dish_3rps_forward_setup_f32
  */
 int dish_3rps_forward_step_f32(
     const dish_3rps_forward_ctx_f32 *ctx, const float l[3], const float guess[3], float H_R_M[9],
@@ -1051,25 +1267,27 @@ int dish_3rps_forward_step_f32(
  * Cost: 345 flops (220 mul, 113 add, 8 div, 4 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[in] mass mass of the facet with its platform, kg, refused outside [0, 1e+06], working
- *     range [0, 100]
+ *     range [0, 100]; held by the mount
  * @param[in] centre centre of mass from the facet's point, facet axes, m, refused outside
- *     [-1000, 1000], working range [-0.3, 0.3]
+ *     [-1000, 1000], working range [-0.3, 0.3]; held by the mount
  * @param[in] f_d disturbing force on the facet at its point, such as wind, N, refused outside
- *     [-1e+06, 1e+06], working range [-500, 500]
+ *     [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the facet about its point, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ *     1e+06], working range [-200, 200]; each tick
  * @param[in] g acceleration of free fall, m/s^2, refused outside [0, 1000], working range [0,
- *     10]
+ *     10]; held by the mount
  * @param[out] F_out force of each rod on the facet, push positive, N (dish_3rps-F_rod)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
  *   SINGULAR: the rods do not hold the facet: their forces are given as 0
+ * @see dish_3rps_static_forces_setup_f32
+ * @see dish_3rps_static_forces_step_f32
  */
 int dish_3rps_static_forces_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float mass, const float centre[3],
@@ -1077,9 +1295,15 @@ int dish_3rps_static_forces_f32(
 
 /**
  * @brief What static_forces_setup hands to static_forces_step: 22 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of static_forces_setup and a mark from its end, if it did not
+ *     refuse. Without the mark static_forces_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float phi;
   float m1;
   float m2;
@@ -1104,16 +1328,20 @@ typedef struct {
  * @brief Set-up of static_forces: all of it that changes with the mount only.
  *
  * Cost: 21 flops (17 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] mass mass of the facet with its platform, kg, refused outside [0, 1e+06], working
- *     range [0, 100]
+ *     range [0, 100]; held by the mount
  * @param[in] centre centre of mass from the facet's point, facet axes, m, refused outside
- *     [-1000, 1000], working range [-0.3, 0.3]
+ *     [-1000, 1000], working range [-0.3, 0.3]; held by the mount
  * @param[in] g acceleration of free fall, m/s^2, refused outside [0, 1000], working range [0,
- *     10]
- * @param[out] ctx what static_forces_step reads; untouched where the status is negative
+ *     10]; held by the mount
+ * @param[out] ctx what static_forces_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_static_forces_f32
+ * @see dish_3rps_static_forces_step_f32
  */
 int dish_3rps_static_forces_setup_f32(
     const dish_3rps_params_f32 *p, float mass, const float centre[3], float g,
@@ -1124,21 +1352,24 @@ int dish_3rps_static_forces_setup_f32(
  *     and a disturbance, push positive.
  *
  * Cost: 329 flops (208 mul, 112 add, 6 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what static_forces_setup left, its status not negative
+ * @param[in] ctx what static_forces_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[in] f_d disturbing force on the facet at its point, such as wind, N, refused outside
- *     [-1e+06, 1e+06], working range [-500, 500]
+ *     [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the facet about its point, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ *     1e+06], working range [-200, 200]; each tick
  * @param[out] F_out force of each rod on the facet, push positive, N (dish_3rps-F_rod)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
  *   SINGULAR: the rods do not hold the facet: their forces are given as 0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_static_forces_f32
+ * @see dish_3rps_static_forces_setup_f32
  */
 int dish_3rps_static_forces_step_f32(
     const dish_3rps_static_forces_ctx_f32 *ctx, float alpha, float beta, const float f_d[3],
@@ -1150,23 +1381,31 @@ int dish_3rps_static_forces_step_f32(
  * Cost: 87 flops (50 mul, 31 add, 4 div, 2 sqrt), 4 sin/cos, 1 atan2.
  * @param[in] p parameters; not read: r_b, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] miss distance by which the central ray passes the focus, m (dish_3rps-miss)
  * @param[out] miss_angle angle between the central ray and the way to the focus, in [0, pi], rad
  *     (dish_3rps-miss_angle)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ * @see dish_3rps_central_ray_setup_f32
+ * @see dish_3rps_central_ray_step_f32
  */
 int dish_3rps_central_ray_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float *miss, float *miss_angle);
 
 /**
  * @brief What central_ray_setup hands to central_ray_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of central_ray_setup and a mark from its end, if it did not
+ *     refuse. Without the mark central_ray_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float phi;
   float m1;
   float m2;
@@ -1181,10 +1420,14 @@ typedef struct {
  * @brief Set-up of central_ray: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: r_b, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what central_ray_step reads; untouched where the status is negative
+ * @param[out] ctx what central_ray_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_central_ray_f32
+ * @see dish_3rps_central_ray_step_f32
  */
 int dish_3rps_central_ray_setup_f32(
     const dish_3rps_params_f32 *p, dish_3rps_central_ray_ctx_f32 *ctx);
@@ -1194,16 +1437,19 @@ int dish_3rps_central_ray_setup_f32(
  *     dish's normal.
  *
  * Cost: 77 flops (44 mul, 30 add, 2 div, 1 sqrt), 4 sin/cos, 1 atan2.
- * @param[in] ctx what central_ray_setup left, its status not negative
+ * @param[in] ctx what central_ray_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] miss distance by which the central ray passes the focus, m (dish_3rps-miss)
  * @param[out] miss_angle angle between the central ray and the way to the focus, in [0, pi], rad
  *     (dish_3rps-miss_angle)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_central_ray_f32
+ * @see dish_3rps_central_ray_setup_f32
  */
 int dish_3rps_central_ray_step_f32(
     const dish_3rps_central_ray_ctx_f32 *ctx, float alpha, float beta, float *miss,
@@ -1216,9 +1462,9 @@ int dish_3rps_central_ray_step_f32(
  * Cost: 734 flops (417 mul, 276 add, 25 div, 16 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] H_R_M rotation of a facet that aims at the receiver: its axes in {H}, 3 by 3,
  *     row-major (dish_3rps-H_R_aimed)
  * @param[out] M point of a facet that aims at the receiver, {H}, m (dish_3rps-M_aimed)
@@ -1228,6 +1474,8 @@ int dish_3rps_central_ray_step_f32(
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   NOT_CONVERGED: the normal that was found is not the bisector
+ * @see dish_3rps_aim_at_receiver_setup_f32
+ * @see dish_3rps_aim_at_receiver_step_f32
  */
 int dish_3rps_aim_at_receiver_f32(
     const dish_3rps_params_f32 *p, float alpha, float beta, float H_R_M[9], float M[3],
@@ -1235,10 +1483,16 @@ int dish_3rps_aim_at_receiver_f32(
 
 /**
  * @brief What aim_at_receiver_setup hands to aim_at_receiver_step: 14 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of aim_at_receiver_setup and a mark from its end, if it did not
+ *     refuse. Without the mark aim_at_receiver_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds dish_3rps-H_T_P.
  */
 typedef struct {
+  volatile unsigned long ready;
   float phi;
   float m1;
   float m2;
@@ -1259,10 +1513,14 @@ typedef struct {
  * @brief Set-up of aim_at_receiver: all of it that changes with the mount only.
  *
  * Cost: 13 flops (9 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what aim_at_receiver_step reads; untouched where the status is negative
+ * @param[out] ctx what aim_at_receiver_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_aim_at_receiver_f32
+ * @see dish_3rps_aim_at_receiver_step_f32
  */
 int dish_3rps_aim_at_receiver_setup_f32(
     const dish_3rps_params_f32 *p, dish_3rps_aim_at_receiver_ctx_f32 *ctx);
@@ -1272,11 +1530,11 @@ int dish_3rps_aim_at_receiver_setup_f32(
  *     angle between sun and receiver, by five steps of Newton's method.
  *
  * Cost: 721 flops (408 mul, 275 add, 23 div, 15 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what aim_at_receiver_setup left, its status not negative
+ * @param[in] ctx what aim_at_receiver_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] H_R_M rotation of a facet that aims at the receiver: its axes in {H}, 3 by 3,
  *     row-major (dish_3rps-H_R_aimed)
  * @param[out] M point of a facet that aims at the receiver, {H}, m (dish_3rps-M_aimed)
@@ -1286,6 +1544,9 @@ int dish_3rps_aim_at_receiver_setup_f32(
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   NOT_CONVERGED: the normal that was found is not the bisector
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_aim_at_receiver_f32
+ * @see dish_3rps_aim_at_receiver_setup_f32
  */
 int dish_3rps_aim_at_receiver_step_f32(
     const dish_3rps_aim_at_receiver_ctx_f32 *ctx, float alpha, float beta, float H_R_M[9],
@@ -1310,9 +1571,9 @@ typedef struct {
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] l_measured measured length of the rod, m, refused outside [-100, 100], working
- *     range [0, 10]
+ *     range [0, 10]; each tick
  * @param[in] F_start force that the integral starts from: 0, or what holds the rod now less what
- *     is fed forward, N, refused outside [-1e+06, 1e+06], working range [-1000, 1000]
+ *     is fed forward, N, refused outside [-1e+06, 1e+06], working range [-1000, 1000]; each tick
  * @param[out] s state of the rod control
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -1328,12 +1589,13 @@ int dish_3rps_rod_control_init_f32(
  * @param[in] p parameters; not read: f, d, r_b, r_m, z_O, phi
  * @param[in,out] s state of the rod control; untouched where the status is negative
  * @param[in] l_ref wanted length of the rod, m, refused outside [-100, 100], working range [0,
- *     10]
- * @param[in] l_dot_ref its rate, m/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
+ *     10]; each tick
+ * @param[in] l_dot_ref its rate, m/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
  * @param[in] l_measured measured length of the rod, m, refused outside [-100, 100], working
- *     range [0, 10]
+ *     range [0, 10]; each tick
  * @param[in] F_ff force known beforehand, such as static_forces gives, N, refused outside
- *     [-1e+06, 1e+06], working range [-1000, 1000]
+ *     [-1e+06, 1e+06], working range [-1000, 1000]; each tick
  * @param[out] F_drive force that the drive is told to give, N (dish_3rps-F_drive)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -1343,7 +1605,7 @@ int dish_3rps_rod_control_update_f32(
 
 #if DBL_MANT_DIG >= 53
 
-/** Parameters of the dish 3rps system. */
+/** Parameters of the dish 3rps system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** Focal length of the dish, m, refused outside [0.001, 1000], working range [0.5, 10]. */
   double f;
@@ -1392,9 +1654,10 @@ typedef struct {
  *
  * Cost: 4 flops (3 mul, 0 add, 1 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
- * @param[in] D diameter of the dish, m, refused outside [0, 1000], working range [0.5, 20]
+ * @param[in] D diameter of the dish, m, refused outside [0, 1000], working range [0.5, 20]; held
+ *     by the mount
  * @param[in] theta_rim edge angle: at the focus, from the axis to the rim, rad, refused outside
- *     [0.001, 3.14159], working range [0.1, 2]
+ *     [0.001, 3.14159], working range [0.1, 2]; held by the mount
  * @param[out] f_out focal length of a dish of diameter D and edge angle theta_rim, m
  *     (dish_3rps-f_rim)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -1408,7 +1671,7 @@ int dish_3rps_focal_length_f64(
  * Cost: 4 flops (2 mul, 1 add, 0 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[out] alpha azimuth of the dish's axis that faces the sun, in [-pi, pi], rad
  *     (dish_3rps-alpha_aim)
  * @param[out] beta angle from the zenith to the dish's axis that faces the sun, in [0, pi], rad
@@ -1425,24 +1688,31 @@ int dish_3rps_aim_f64(
  * Cost: 74 flops (47 mul, 22 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: r_b, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] H_R_M rotation of the facet: its axes in {H}; x looks at the dish's axis, z is the
  *     normal, 3 by 3, row-major (dish_3rps-H_R_M)
  * @param[out] M the facet's point, {H}, m (dish_3rps-M)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ * @see dish_3rps_facet_setup_f64
+ * @see dish_3rps_facet_step_f64
  */
 int dish_3rps_facet_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double H_R_M[9], double M[3]);
 
 /**
  * @brief What facet_setup hands to facet_step: 11 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of facet_setup and a mark from its end, if it did not refuse.
+ *     Without the mark facet_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds dish_3rps-H_T_P.
  */
 typedef struct {
+  volatile unsigned long ready;
   double phi;
   double m1;
   double m2;
@@ -1460,10 +1730,14 @@ typedef struct {
  * @brief Set-up of facet: all of it that changes with the mount only.
  *
  * Cost: 12 flops (8 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: r_b, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what facet_step reads; untouched where the status is negative
+ * @param[out] ctx what facet_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_facet_f64
+ * @see dish_3rps_facet_step_f64
  */
 int dish_3rps_facet_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_facet_ctx_f64 *ctx);
 
@@ -1471,16 +1745,19 @@ int dish_3rps_facet_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_facet_ctx
  * @brief Step of facet. Rotation and point of the facet, in {H}.
  *
  * Cost: 62 flops (39 mul, 21 add, 2 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what facet_setup left, its status not negative
+ * @param[in] ctx what facet_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] H_R_M rotation of the facet: its axes in {H}; x looks at the dish's axis, z is the
  *     normal, 3 by 3, row-major (dish_3rps-H_R_M)
  * @param[out] M the facet's point, {H}, m (dish_3rps-M)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_facet_f64
+ * @see dish_3rps_facet_setup_f64
  */
 int dish_3rps_facet_step_f64(
     const dish_3rps_facet_ctx_f64 *ctx, double alpha, double beta, double H_R_M[9], double M[3]);
@@ -1491,21 +1768,28 @@ int dish_3rps_facet_step_f64(
  * Cost: 53 flops (32 mul, 16 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] off from the dish's point to the facet's, {H}, m (dish_3rps-off_dish)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ * @see dish_3rps_off_dish_setup_f64
+ * @see dish_3rps_off_dish_step_f64
  */
 int dish_3rps_off_dish_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double off[3]);
 
 /**
  * @brief What off_dish_setup hands to off_dish_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of off_dish_setup and a mark from its end, if it did not refuse.
+ *     Without the mark off_dish_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a
+ *     machine does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double phi;
   double m1;
   double m2;
@@ -1520,10 +1804,14 @@ typedef struct {
  * @brief Set-up of off_dish: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what off_dish_step reads; untouched where the status is negative
+ * @param[out] ctx what off_dish_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_off_dish_f64
+ * @see dish_3rps_off_dish_step_f64
  */
 int dish_3rps_off_dish_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_off_dish_ctx_f64 *ctx);
 
@@ -1531,14 +1819,17 @@ int dish_3rps_off_dish_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_off_di
  * @brief Step of off_dish. How far the facet's point stands from the point of the dish, in {H}.
  *
  * Cost: 43 flops (26 mul, 15 add, 2 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what off_dish_setup left, its status not negative
+ * @param[in] ctx what off_dish_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] off from the dish's point to the facet's, {H}, m (dish_3rps-off_dish)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_off_dish_f64
+ * @see dish_3rps_off_dish_setup_f64
  */
 int dish_3rps_off_dish_step_f64(
     const dish_3rps_off_dish_ctx_f64 *ctx, double alpha, double beta, double off[3]);
@@ -1549,22 +1840,30 @@ int dish_3rps_off_dish_step_f64(
  * Cost: 77 flops (45 mul, 25 add, 3 div, 4 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] l length of rod i; rods 0, 1, 2 stand at 0, 120, -120 degrees from the way to the
  *     dish's axis, counter-clockwise from above, for each leg, m (dish_3rps-l_rod)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ * @see dish_3rps_rod_lengths_setup_f64
+ * @see dish_3rps_rod_lengths_step_f64
  */
 int dish_3rps_rod_lengths_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double l[3]);
 
 /**
  * @brief What rod_lengths_setup hands to rod_lengths_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of rod_lengths_setup and a mark from its end, if it did not
+ *     refuse. Without the mark rod_lengths_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double phi;
   double m1;
   double m2;
@@ -1579,10 +1878,14 @@ typedef struct {
  * @brief Set-up of rod_lengths: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what rod_lengths_step reads; untouched where the status is negative
+ * @param[out] ctx what rod_lengths_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_rod_lengths_f64
+ * @see dish_3rps_rod_lengths_step_f64
  */
 int dish_3rps_rod_lengths_setup_f64(
     const dish_3rps_params_f64 *p, dish_3rps_rod_lengths_ctx_f64 *ctx);
@@ -1591,15 +1894,18 @@ int dish_3rps_rod_lengths_setup_f64(
  * @brief Step of rod_lengths. Lengths of the three rods of one facet.
  *
  * Cost: 67 flops (39 mul, 24 add, 1 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what rod_lengths_setup left, its status not negative
+ * @param[in] ctx what rod_lengths_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] l length of rod i; rods 0, 1, 2 stand at 0, 120, -120 degrees from the way to the
  *     dish's axis, counter-clockwise from above, for each leg, m (dish_3rps-l_rod)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_rod_lengths_f64
+ * @see dish_3rps_rod_lengths_setup_f64
  */
 int dish_3rps_rod_lengths_step_f64(
     const dish_3rps_rod_lengths_ctx_f64 *ctx, double alpha, double beta, double l[3]);
@@ -1610,22 +1916,30 @@ int dish_3rps_rod_lengths_step_f64(
  * Cost: 286 flops (166 mul, 101 add, 6 div, 13 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: phi, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] l length of rod i of facet N: facets to the east, north, west and south, for each
  *     facet and leg, 4 by 3, row-major, m (dish_3rps-l_all)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a facet hangs face down
+ * @see dish_3rps_rod_lengths_all_setup_f64
+ * @see dish_3rps_rod_lengths_all_step_f64
  */
 int dish_3rps_rod_lengths_all_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double l[12]);
 
 /**
  * @brief What rod_lengths_all_setup hands to rod_lengths_all_step: 7 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of rod_lengths_all_setup and a mark from its end, if it did not
+ *     refuse. Without the mark rod_lengths_all_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double m1;
   double m2;
   double r_m;
@@ -1639,10 +1953,14 @@ typedef struct {
  * @brief Set-up of rod_lengths_all: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: phi, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what rod_lengths_all_step reads; untouched where the status is negative
+ * @param[out] ctx what rod_lengths_all_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_rod_lengths_all_f64
+ * @see dish_3rps_rod_lengths_all_step_f64
  */
 int dish_3rps_rod_lengths_all_setup_f64(
     const dish_3rps_params_f64 *p, dish_3rps_rod_lengths_all_ctx_f64 *ctx);
@@ -1652,15 +1970,18 @@ int dish_3rps_rod_lengths_all_setup_f64(
  *     degrees; phi is not used.
  *
  * Cost: 276 flops (160 mul, 100 add, 4 div, 12 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what rod_lengths_all_setup left, its status not negative
+ * @param[in] ctx what rod_lengths_all_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] l length of rod i of facet N: facets to the east, north, west and south, for each
  *     facet and leg, 4 by 3, row-major, m (dish_3rps-l_all)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a facet hangs face down
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_rod_lengths_all_f64
+ * @see dish_3rps_rod_lengths_all_setup_f64
  */
 int dish_3rps_rod_lengths_all_step_f64(
     const dish_3rps_rod_lengths_all_ctx_f64 *ctx, double alpha, double beta, double l[12]);
@@ -1671,19 +1992,21 @@ int dish_3rps_rod_lengths_all_step_f64(
  * Cost: 158 flops (94 mul, 54 add, 6 div, 4 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] z_dot rate of the height of the dish's vertex, m/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] l_dot rate of the length of rod i, for each leg, m/s (dish_3rps-l_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ * @see dish_3rps_rod_rates_setup_f64
+ * @see dish_3rps_rod_rates_step_f64
  */
 int dish_3rps_rod_rates_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -1691,9 +2014,14 @@ int dish_3rps_rod_rates_f64(
 
 /**
  * @brief What rod_rates_setup hands to rod_rates_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of rod_rates_setup and a mark from its end, if it did not
+ *     refuse. Without the mark rod_rates_step answers ARMILLARY_OUT_OF_RANGE and writes nothing:
+ *     a machine does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double phi;
   double m1;
   double m2;
@@ -1708,10 +2036,14 @@ typedef struct {
  * @brief Set-up of rod_rates: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what rod_rates_step reads; untouched where the status is negative
+ * @param[out] ctx what rod_rates_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_rod_rates_f64
+ * @see dish_3rps_rod_rates_step_f64
  */
 int dish_3rps_rod_rates_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_rod_rates_ctx_f64 *ctx);
 
@@ -1719,21 +2051,24 @@ int dish_3rps_rod_rates_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_rod_r
  * @brief Step of rod_rates. Rates of the three rods of one facet.
  *
  * Cost: 148 flops (88 mul, 53 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what rod_rates_setup left, its status not negative
+ * @param[in] ctx what rod_rates_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] z_dot rate of the height of the dish's vertex, m/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] l_dot rate of the length of rod i, for each leg, m/s (dish_3rps-l_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_rod_rates_f64
+ * @see dish_3rps_rod_rates_setup_f64
  */
 int dish_3rps_rod_rates_step_f64(
     const dish_3rps_rod_rates_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -1745,19 +2080,21 @@ int dish_3rps_rod_rates_step_f64(
  * Cost: 108 flops (71 mul, 32 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] z_dot rate of the height of the dish's vertex, m/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] M_dot velocity of the facet's point, {H}, m/s (dish_3rps-v_M)
  * @param[out] Omega angular velocity of the facet, {H}, rad/s (dish_3rps-Omega_M)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ * @see dish_3rps_facet_rates_setup_f64
+ * @see dish_3rps_facet_rates_step_f64
  */
 int dish_3rps_facet_rates_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -1765,9 +2102,15 @@ int dish_3rps_facet_rates_f64(
 
 /**
  * @brief What facet_rates_setup hands to facet_rates_step: 9 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of facet_rates_setup and a mark from its end, if it did not
+ *     refuse. Without the mark facet_rates_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double phi;
   double m1;
   double m2;
@@ -1783,10 +2126,14 @@ typedef struct {
  * @brief Set-up of facet_rates: all of it that changes with the mount only.
  *
  * Cost: 11 flops (7 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what facet_rates_step reads; untouched where the status is negative
+ * @param[out] ctx what facet_rates_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_facet_rates_f64
+ * @see dish_3rps_facet_rates_step_f64
  */
 int dish_3rps_facet_rates_setup_f64(
     const dish_3rps_params_f64 *p, dish_3rps_facet_rates_ctx_f64 *ctx);
@@ -1796,21 +2143,24 @@ int dish_3rps_facet_rates_setup_f64(
  *     in {H}.
  *
  * Cost: 97 flops (64 mul, 31 add, 2 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what facet_rates_setup left, its status not negative
+ * @param[in] ctx what facet_rates_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] z_dot rate of the height of the dish's vertex, m/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] M_dot velocity of the facet's point, {H}, m/s (dish_3rps-v_M)
  * @param[out] Omega angular velocity of the facet, {H}, rad/s (dish_3rps-Omega_M)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_facet_rates_f64
+ * @see dish_3rps_facet_rates_setup_f64
  */
 int dish_3rps_facet_rates_step_f64(
     const dish_3rps_facet_rates_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -1822,24 +2172,32 @@ int dish_3rps_facet_rates_step_f64(
  * Cost: 186 flops (122 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] J_A row i of the Jacobian from the facet's twist about its point to the rods'
  *     rates, {H}: three columns in 1 for the velocity, then three in m for the angular velocity,
  *     for each leg, 3 by 6, row-major (dish_3rps-J_A)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ * @see dish_3rps_jacobian_a_setup_f64
+ * @see dish_3rps_jacobian_a_step_f64
  */
 int dish_3rps_jacobian_a_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double J_A[18]);
 
 /**
  * @brief What jacobian_a_setup hands to jacobian_a_step: 10 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of jacobian_a_setup and a mark from its end, if it did not
+ *     refuse. Without the mark jacobian_a_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double phi;
   double m1;
   double m2;
@@ -1856,10 +2214,14 @@ typedef struct {
  * @brief Set-up of jacobian_a: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what jacobian_a_step reads; untouched where the status is negative
+ * @param[out] ctx what jacobian_a_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_jacobian_a_f64
+ * @see dish_3rps_jacobian_a_step_f64
  */
 int dish_3rps_jacobian_a_setup_f64(
     const dish_3rps_params_f64 *p, dish_3rps_jacobian_a_ctx_f64 *ctx);
@@ -1869,17 +2231,20 @@ int dish_3rps_jacobian_a_setup_f64(
  *     rods.
  *
  * Cost: 176 flops (116 mul, 53 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_a_setup left, its status not negative
+ * @param[in] ctx what jacobian_a_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] J_A row i of the Jacobian from the facet's twist about its point to the rods'
  *     rates, {H}: three columns in 1 for the velocity, then three in m for the angular velocity,
  *     for each leg, 3 by 6, row-major (dish_3rps-J_A)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_jacobian_a_f64
+ * @see dish_3rps_jacobian_a_setup_f64
  */
 int dish_3rps_jacobian_a_step_f64(
     const dish_3rps_jacobian_a_ctx_f64 *ctx, double alpha, double beta, double J_A[18]);
@@ -1890,22 +2255,30 @@ int dish_3rps_jacobian_a_step_f64(
  * Cost: 149 flops (100 mul, 44 add, 4 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] J_B Jacobian from the rates of alpha, beta and z_O to the facet's twist about its
  *     point, {H}: velocity over angular velocity, 6 by 3, row-major (dish_3rps-J_B)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ * @see dish_3rps_jacobian_b_setup_f64
+ * @see dish_3rps_jacobian_b_step_f64
  */
 int dish_3rps_jacobian_b_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double J_B[18]);
 
 /**
  * @brief What jacobian_b_setup hands to jacobian_b_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of jacobian_b_setup and a mark from its end, if it did not
+ *     refuse. Without the mark jacobian_b_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double phi;
   double m1;
   double m2;
@@ -1920,10 +2293,14 @@ typedef struct {
  * @brief Set-up of jacobian_b: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: r_b, z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what jacobian_b_step reads; untouched where the status is negative
+ * @param[out] ctx what jacobian_b_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_jacobian_b_f64
+ * @see dish_3rps_jacobian_b_step_f64
  */
 int dish_3rps_jacobian_b_setup_f64(
     const dish_3rps_params_f64 *p, dish_3rps_jacobian_b_ctx_f64 *ctx);
@@ -1933,15 +2310,18 @@ int dish_3rps_jacobian_b_setup_f64(
  *     about its point.
  *
  * Cost: 139 flops (94 mul, 43 add, 2 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_b_setup left, its status not negative
+ * @param[in] ctx what jacobian_b_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] J_B Jacobian from the rates of alpha, beta and z_O to the facet's twist about its
  *     point, {H}: velocity over angular velocity, 6 by 3, row-major (dish_3rps-J_B)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_jacobian_b_f64
+ * @see dish_3rps_jacobian_b_setup_f64
  */
 int dish_3rps_jacobian_b_step_f64(
     const dish_3rps_jacobian_b_ctx_f64 *ctx, double alpha, double beta, double J_B[18]);
@@ -1953,24 +2333,32 @@ int dish_3rps_jacobian_b_step_f64(
  * Cost: 219 flops (146 mul, 63 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] J Jacobian from the facet's twist about its point to the three rates of the rods,
  *     over the three that the hinges make zero, {H}, 6 by 6, row-major (dish_3rps-J)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ * @see dish_3rps_jacobian_full_setup_f64
+ * @see dish_3rps_jacobian_full_step_f64
  */
 int dish_3rps_jacobian_full_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double J[36]);
 
 /**
  * @brief What jacobian_full_setup hands to jacobian_full_step: 22 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of jacobian_full_setup and a mark from its end, if it did not
+ *     refuse. Without the mark jacobian_full_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds dish_3rps-t_H, dish_3rps-J_plane, dish_3rps-J.
  */
 typedef struct {
+  volatile unsigned long ready;
   double phi;
   double m1;
   double m2;
@@ -1995,10 +2383,14 @@ typedef struct {
  * @brief Set-up of jacobian_full: all of it that changes with the mount only.
  *
  * Cost: 28 flops (18 mul, 7 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what jacobian_full_step reads; untouched where the status is negative
+ * @param[out] ctx what jacobian_full_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_jacobian_full_f64
+ * @see dish_3rps_jacobian_full_step_f64
  */
 int dish_3rps_jacobian_full_setup_f64(
     const dish_3rps_params_f64 *p, dish_3rps_jacobian_full_ctx_f64 *ctx);
@@ -2008,16 +2400,19 @@ int dish_3rps_jacobian_full_setup_f64(
  *     its rods, over the rates that its hinges make zero.
  *
  * Cost: 191 flops (128 mul, 56 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_full_setup left, its status not negative
+ * @param[in] ctx what jacobian_full_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] J Jacobian from the facet's twist about its point to the three rates of the rods,
  *     over the three that the hinges make zero, {H}, 6 by 6, row-major (dish_3rps-J)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_jacobian_full_f64
+ * @see dish_3rps_jacobian_full_setup_f64
  */
 int dish_3rps_jacobian_full_step_f64(
     const dish_3rps_jacobian_full_ctx_f64 *ctx, double alpha, double beta, double J[36]);
@@ -2028,23 +2423,31 @@ int dish_3rps_jacobian_full_step_f64(
  * Cost: 204 flops (140 mul, 54 add, 6 div, 4 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] J_P row i of the Jacobian from the facet's twist about its point to the rates of
  *     the hinges, {H}, for each leg, 3 by 6, row-major (dish_3rps-J_P)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ * @see dish_3rps_jacobian_passive_setup_f64
+ * @see dish_3rps_jacobian_passive_step_f64
  */
 int dish_3rps_jacobian_passive_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double J_P[18]);
 
 /**
  * @brief What jacobian_passive_setup hands to jacobian_passive_step: 10 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of jacobian_passive_setup and a mark from its end, if it did not
+ *     refuse. Without the mark jacobian_passive_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double phi;
   double d;
   double m1;
@@ -2061,10 +2464,14 @@ typedef struct {
  * @brief Set-up of jacobian_passive: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what jacobian_passive_step reads; untouched where the status is negative
+ * @param[out] ctx what jacobian_passive_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_jacobian_passive_f64
+ * @see dish_3rps_jacobian_passive_step_f64
  */
 int dish_3rps_jacobian_passive_setup_f64(
     const dish_3rps_params_f64 *p, dish_3rps_jacobian_passive_ctx_f64 *ctx);
@@ -2074,16 +2481,19 @@ int dish_3rps_jacobian_passive_setup_f64(
  *     of its hinges.
  *
  * Cost: 194 flops (134 mul, 53 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_passive_setup left, its status not negative
+ * @param[in] ctx what jacobian_passive_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] J_P row i of the Jacobian from the facet's twist about its point to the rates of
  *     the hinges, {H}, for each leg, 3 by 6, row-major (dish_3rps-J_P)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_jacobian_passive_f64
+ * @see dish_3rps_jacobian_passive_setup_f64
  */
 int dish_3rps_jacobian_passive_step_f64(
     const dish_3rps_jacobian_passive_ctx_f64 *ctx, double alpha, double beta, double J_P[18]);
@@ -2094,19 +2504,21 @@ int dish_3rps_jacobian_passive_step_f64(
  * Cost: 161 flops (97 mul, 54 add, 6 div, 4 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] z_dot rate of the height of the dish's vertex, m/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] p_R_dot rate of hinge i, for each leg, rad/s (dish_3rps-p_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ * @see dish_3rps_passive_rates_setup_f64
+ * @see dish_3rps_passive_rates_step_f64
  */
 int dish_3rps_passive_rates_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -2114,9 +2526,15 @@ int dish_3rps_passive_rates_f64(
 
 /**
  * @brief What passive_rates_setup hands to passive_rates_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of passive_rates_setup and a mark from its end, if it did not
+ *     refuse. Without the mark passive_rates_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double phi;
   double d;
   double m1;
@@ -2131,10 +2549,14 @@ typedef struct {
  * @brief Set-up of passive_rates: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what passive_rates_step reads; untouched where the status is negative
+ * @param[out] ctx what passive_rates_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_passive_rates_f64
+ * @see dish_3rps_passive_rates_step_f64
  */
 int dish_3rps_passive_rates_setup_f64(
     const dish_3rps_params_f64 *p, dish_3rps_passive_rates_ctx_f64 *ctx);
@@ -2143,21 +2565,24 @@ int dish_3rps_passive_rates_setup_f64(
  * @brief Step of passive_rates. Rates of the three hinges of one facet.
  *
  * Cost: 151 flops (91 mul, 53 add, 4 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what passive_rates_setup left, its status not negative
+ * @param[in] ctx what passive_rates_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] z_dot rate of the height of the dish's vertex, m/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] p_R_dot rate of hinge i, for each leg, rad/s (dish_3rps-p_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_passive_rates_f64
+ * @see dish_3rps_passive_rates_setup_f64
  */
 int dish_3rps_passive_rates_step_f64(
     const dish_3rps_passive_rates_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -2169,23 +2594,31 @@ int dish_3rps_passive_rates_step_f64(
  * Cost: 143 flops (87 mul, 46 add, 3 div, 7 sqrt), 4 sin/cos, 3 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] s angle of S-joint i: between rod and normal, in [0, pi], for each leg, rad
  *     (dish_3rps-s)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ * @see dish_3rps_joint_angles_setup_f64
+ * @see dish_3rps_joint_angles_step_f64
  */
 int dish_3rps_joint_angles_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double s[3]);
 
 /**
  * @brief What joint_angles_setup hands to joint_angles_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of joint_angles_setup and a mark from its end, if it did not
+ *     refuse. Without the mark joint_angles_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double phi;
   double m1;
   double m2;
@@ -2200,10 +2633,14 @@ typedef struct {
  * @brief Set-up of joint_angles: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what joint_angles_step reads; untouched where the status is negative
+ * @param[out] ctx what joint_angles_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_joint_angles_f64
+ * @see dish_3rps_joint_angles_step_f64
  */
 int dish_3rps_joint_angles_setup_f64(
     const dish_3rps_params_f64 *p, dish_3rps_joint_angles_ctx_f64 *ctx);
@@ -2213,16 +2650,19 @@ int dish_3rps_joint_angles_setup_f64(
  *     [0, pi].
  *
  * Cost: 133 flops (81 mul, 45 add, 1 div, 6 sqrt), 4 sin/cos, 3 atan2.
- * @param[in] ctx what joint_angles_setup left, its status not negative
+ * @param[in] ctx what joint_angles_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] s angle of S-joint i: between rod and normal, in [0, pi], for each leg, rad
  *     (dish_3rps-s)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_joint_angles_f64
+ * @see dish_3rps_joint_angles_setup_f64
  */
 int dish_3rps_joint_angles_step_f64(
     const dish_3rps_joint_angles_ctx_f64 *ctx, double alpha, double beta, double s[3]);
@@ -2233,23 +2673,31 @@ int dish_3rps_joint_angles_step_f64(
  * Cost: 77 flops (45 mul, 25 add, 3 div, 4 sqrt), 4 sin/cos, 3 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] p_R angle of hinge i: of the rod from the vertical, outward positive, for each
  *     leg, rad (dish_3rps-p_R)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ * @see dish_3rps_revolute_angles_setup_f64
+ * @see dish_3rps_revolute_angles_step_f64
  */
 int dish_3rps_revolute_angles_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double p_R[3]);
 
 /**
  * @brief What revolute_angles_setup hands to revolute_angles_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of revolute_angles_setup and a mark from its end, if it did not
+ *     refuse. Without the mark revolute_angles_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double phi;
   double m1;
   double m2;
@@ -2264,10 +2712,14 @@ typedef struct {
  * @brief Set-up of revolute_angles: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what revolute_angles_step reads; untouched where the status is negative
+ * @param[out] ctx what revolute_angles_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_revolute_angles_f64
+ * @see dish_3rps_revolute_angles_step_f64
  */
 int dish_3rps_revolute_angles_setup_f64(
     const dish_3rps_params_f64 *p, dish_3rps_revolute_angles_ctx_f64 *ctx);
@@ -2277,16 +2729,19 @@ int dish_3rps_revolute_angles_setup_f64(
  *     outward positive.
  *
  * Cost: 67 flops (39 mul, 24 add, 1 div, 3 sqrt), 4 sin/cos, 3 atan2.
- * @param[in] ctx what revolute_angles_setup left, its status not negative
+ * @param[in] ctx what revolute_angles_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] p_R angle of hinge i: of the rod from the vertical, outward positive, for each
  *     leg, rad (dish_3rps-p_R)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_revolute_angles_f64
+ * @see dish_3rps_revolute_angles_setup_f64
  */
 int dish_3rps_revolute_angles_step_f64(
     const dish_3rps_revolute_angles_ctx_f64 *ctx, double alpha, double beta, double p_R[3]);
@@ -2299,14 +2754,17 @@ int dish_3rps_revolute_angles_step_f64(
  * Cost: 1807 flops (1037 mul, 748 add, 21 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[in] l length of rod i, for each leg, m, refused outside [0, 1000], working range [2, 4]
+ * @param[in] l length of rod i, for each leg, m, refused outside [0, 1000], working range [2,
+ *     4]; each tick
  * @param[in] guess where the search starts: alpha and beta in rad and z_O in m, refused outside
- *     [-1000, 1000], working range [0, 1.5]
+ *     [-1000, 1000], working range [0, 1.5]; each tick
  * @param[out] H_R_M rotation of the facet on rods of the lengths given: its axes in {H}, 3 by 3,
  *     row-major (dish_3rps-H_R_found)
  * @param[out] M point of the facet on rods of the lengths given, {H}, m (dish_3rps-M_found)
  * @return ARMILLARY_OK, ARMILLARY_NOT_CONVERGED, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   NOT_CONVERGED: the search did not end on rods of these lengths
+ * @see dish_3rps_forward_setup_f64
+ * @see dish_3rps_forward_step_f64
  */
 int dish_3rps_forward_f64(
     const dish_3rps_params_f64 *p, const double l[3], const double guess[3], double H_R_M[9],
@@ -2314,10 +2772,15 @@ int dish_3rps_forward_f64(
 
 /**
  * @brief What forward_setup hands to forward_step: 18 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of forward_setup and a mark from its end, if it did not refuse.
+ *     Without the mark forward_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds dish_3rps-H_T_P.
  */
 typedef struct {
+  volatile unsigned long ready;
   double phi;
   double m1;
   double m2;
@@ -2338,10 +2801,14 @@ typedef struct {
  * @brief Set-up of forward: all of it that changes with the mount only.
  *
  * Cost: 19 flops (15 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: z_O, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what forward_step reads; untouched where the status is negative
+ * @param[out] ctx what forward_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_forward_f64
+ * @see dish_3rps_forward_step_f64
  */
 int dish_3rps_forward_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_forward_ctx_f64 *ctx);
 
@@ -2352,15 +2819,19 @@ int dish_3rps_forward_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_forward
  *
  * Cost: 1788 flops (1022 mul, 747 add, 19 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
- * @param[in] ctx what forward_setup left, its status not negative
- * @param[in] l length of rod i, for each leg, m, refused outside [0, 1000], working range [2, 4]
+ * @param[in] ctx what forward_setup left; refused if it is not ready
+ * @param[in] l length of rod i, for each leg, m, refused outside [0, 1000], working range [2,
+ *     4]; each tick
  * @param[in] guess where the search starts: alpha and beta in rad and z_O in m, refused outside
- *     [-1000, 1000], working range [0, 1.5]
+ *     [-1000, 1000], working range [0, 1.5]; each tick
  * @param[out] H_R_M rotation of the facet on rods of the lengths given: its axes in {H}, 3 by 3,
  *     row-major (dish_3rps-H_R_found)
  * @param[out] M point of the facet on rods of the lengths given, {H}, m (dish_3rps-M_found)
  * @return ARMILLARY_OK, ARMILLARY_NOT_CONVERGED, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   NOT_CONVERGED: the search did not end on rods of these lengths
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_forward_f64
+ * @see dish_3rps_forward_setup_f64
  */
 int dish_3rps_forward_step_f64(
     const dish_3rps_forward_ctx_f64 *ctx, const double l[3], const double guess[3],
@@ -2373,25 +2844,27 @@ int dish_3rps_forward_step_f64(
  * Cost: 345 flops (220 mul, 113 add, 8 div, 4 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[in] mass mass of the facet with its platform, kg, refused outside [0, 1e+06], working
- *     range [0, 100]
+ *     range [0, 100]; held by the mount
  * @param[in] centre centre of mass from the facet's point, facet axes, m, refused outside
- *     [-1000, 1000], working range [-0.3, 0.3]
+ *     [-1000, 1000], working range [-0.3, 0.3]; held by the mount
  * @param[in] f_d disturbing force on the facet at its point, such as wind, N, refused outside
- *     [-1e+06, 1e+06], working range [-500, 500]
+ *     [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the facet about its point, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ *     1e+06], working range [-200, 200]; each tick
  * @param[in] g acceleration of free fall, m/s^2, refused outside [0, 1000], working range [0,
- *     10]
+ *     10]; held by the mount
  * @param[out] F_out force of each rod on the facet, push positive, N (dish_3rps-F_rod)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
  *   SINGULAR: the rods do not hold the facet: their forces are given as 0
+ * @see dish_3rps_static_forces_setup_f64
+ * @see dish_3rps_static_forces_step_f64
  */
 int dish_3rps_static_forces_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double mass, const double centre[3],
@@ -2399,9 +2872,15 @@ int dish_3rps_static_forces_f64(
 
 /**
  * @brief What static_forces_setup hands to static_forces_step: 22 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of static_forces_setup and a mark from its end, if it did not
+ *     refuse. Without the mark static_forces_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double phi;
   double m1;
   double m2;
@@ -2426,16 +2905,20 @@ typedef struct {
  * @brief Set-up of static_forces: all of it that changes with the mount only.
  *
  * Cost: 21 flops (17 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] mass mass of the facet with its platform, kg, refused outside [0, 1e+06], working
- *     range [0, 100]
+ *     range [0, 100]; held by the mount
  * @param[in] centre centre of mass from the facet's point, facet axes, m, refused outside
- *     [-1000, 1000], working range [-0.3, 0.3]
+ *     [-1000, 1000], working range [-0.3, 0.3]; held by the mount
  * @param[in] g acceleration of free fall, m/s^2, refused outside [0, 1000], working range [0,
- *     10]
- * @param[out] ctx what static_forces_step reads; untouched where the status is negative
+ *     10]; held by the mount
+ * @param[out] ctx what static_forces_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_static_forces_f64
+ * @see dish_3rps_static_forces_step_f64
  */
 int dish_3rps_static_forces_setup_f64(
     const dish_3rps_params_f64 *p, double mass, const double centre[3], double g,
@@ -2446,21 +2929,24 @@ int dish_3rps_static_forces_setup_f64(
  *     and a disturbance, push positive.
  *
  * Cost: 329 flops (208 mul, 112 add, 6 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what static_forces_setup left, its status not negative
+ * @param[in] ctx what static_forces_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[in] f_d disturbing force on the facet at its point, such as wind, N, refused outside
- *     [-1e+06, 1e+06], working range [-500, 500]
+ *     [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the facet about its point, N*m, refused outside [-1e+06,
- *     1e+06], working range [-200, 200]
+ *     1e+06], working range [-200, 200]; each tick
  * @param[out] F_out force of each rod on the facet, push positive, N (dish_3rps-F_rod)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   UNREACHABLE: a rod has no length
  *   SINGULAR: the rods do not hold the facet: their forces are given as 0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_static_forces_f64
+ * @see dish_3rps_static_forces_setup_f64
  */
 int dish_3rps_static_forces_step_f64(
     const dish_3rps_static_forces_ctx_f64 *ctx, double alpha, double beta, const double f_d[3],
@@ -2472,23 +2958,31 @@ int dish_3rps_static_forces_step_f64(
  * Cost: 87 flops (50 mul, 31 add, 4 div, 2 sqrt), 4 sin/cos, 1 atan2.
  * @param[in] p parameters; not read: r_b, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] miss distance by which the central ray passes the focus, m (dish_3rps-miss)
  * @param[out] miss_angle angle between the central ray and the way to the focus, in [0, pi], rad
  *     (dish_3rps-miss_angle)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ * @see dish_3rps_central_ray_setup_f64
+ * @see dish_3rps_central_ray_step_f64
  */
 int dish_3rps_central_ray_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double *miss, double *miss_angle);
 
 /**
  * @brief What central_ray_setup hands to central_ray_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of central_ray_setup and a mark from its end, if it did not
+ *     refuse. Without the mark central_ray_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double phi;
   double m1;
   double m2;
@@ -2503,10 +2997,14 @@ typedef struct {
  * @brief Set-up of central_ray: all of it that changes with the mount only.
  *
  * Cost: 10 flops (6 mul, 1 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: r_b, K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what central_ray_step reads; untouched where the status is negative
+ * @param[out] ctx what central_ray_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_central_ray_f64
+ * @see dish_3rps_central_ray_step_f64
  */
 int dish_3rps_central_ray_setup_f64(
     const dish_3rps_params_f64 *p, dish_3rps_central_ray_ctx_f64 *ctx);
@@ -2516,16 +3014,19 @@ int dish_3rps_central_ray_setup_f64(
  *     dish's normal.
  *
  * Cost: 77 flops (44 mul, 30 add, 2 div, 1 sqrt), 4 sin/cos, 1 atan2.
- * @param[in] ctx what central_ray_setup left, its status not negative
+ * @param[in] ctx what central_ray_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] miss distance by which the central ray passes the focus, m (dish_3rps-miss)
  * @param[out] miss_angle angle between the central ray and the way to the focus, in [0, pi], rad
  *     (dish_3rps-miss_angle)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_central_ray_f64
+ * @see dish_3rps_central_ray_setup_f64
  */
 int dish_3rps_central_ray_step_f64(
     const dish_3rps_central_ray_ctx_f64 *ctx, double alpha, double beta, double *miss,
@@ -2538,9 +3039,9 @@ int dish_3rps_central_ray_step_f64(
  * Cost: 734 flops (417 mul, 276 add, 25 div, 16 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] H_R_M rotation of a facet that aims at the receiver: its axes in {H}, 3 by 3,
  *     row-major (dish_3rps-H_R_aimed)
  * @param[out] M point of a facet that aims at the receiver, {H}, m (dish_3rps-M_aimed)
@@ -2550,6 +3051,8 @@ int dish_3rps_central_ray_step_f64(
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   NOT_CONVERGED: the normal that was found is not the bisector
+ * @see dish_3rps_aim_at_receiver_setup_f64
+ * @see dish_3rps_aim_at_receiver_step_f64
  */
 int dish_3rps_aim_at_receiver_f64(
     const dish_3rps_params_f64 *p, double alpha, double beta, double H_R_M[9], double M[3],
@@ -2557,10 +3060,16 @@ int dish_3rps_aim_at_receiver_f64(
 
 /**
  * @brief What aim_at_receiver_setup hands to aim_at_receiver_step: 14 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of aim_at_receiver_setup and a mark from its end, if it did not
+ *     refuse. Without the mark aim_at_receiver_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds dish_3rps-H_T_P.
  */
 typedef struct {
+  volatile unsigned long ready;
   double phi;
   double m1;
   double m2;
@@ -2581,10 +3090,14 @@ typedef struct {
  * @brief Set-up of aim_at_receiver: all of it that changes with the mount only.
  *
  * Cost: 13 flops (9 mul, 1 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
- * @param[out] ctx what aim_at_receiver_step reads; untouched where the status is negative
+ * @param[out] ctx what aim_at_receiver_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see dish_3rps_aim_at_receiver_f64
+ * @see dish_3rps_aim_at_receiver_step_f64
  */
 int dish_3rps_aim_at_receiver_setup_f64(
     const dish_3rps_params_f64 *p, dish_3rps_aim_at_receiver_ctx_f64 *ctx);
@@ -2594,11 +3107,11 @@ int dish_3rps_aim_at_receiver_setup_f64(
  *     angle between sun and receiver, by five steps of Newton's method.
  *
  * Cost: 721 flops (408 mul, 275 add, 23 div, 15 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what aim_at_receiver_setup left, its status not negative
+ * @param[in] ctx what aim_at_receiver_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta angle from the zenith to the dish's axis, rad, refused outside [-1000, 1000],
- *     working range [0, 1.4]
+ *     working range [0, 1.4]; each tick
  * @param[out] H_R_M rotation of a facet that aims at the receiver: its axes in {H}, 3 by 3,
  *     row-major (dish_3rps-H_R_aimed)
  * @param[out] M point of a facet that aims at the receiver, {H}, m (dish_3rps-M_aimed)
@@ -2608,6 +3121,9 @@ int dish_3rps_aim_at_receiver_setup_f64(
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the facet hangs face down
  *   NOT_CONVERGED: the normal that was found is not the bisector
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see dish_3rps_aim_at_receiver_f64
+ * @see dish_3rps_aim_at_receiver_setup_f64
  */
 int dish_3rps_aim_at_receiver_step_f64(
     const dish_3rps_aim_at_receiver_ctx_f64 *ctx, double alpha, double beta, double H_R_M[9],
@@ -2632,9 +3148,9 @@ typedef struct {
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] l_measured measured length of the rod, m, refused outside [-100, 100], working
- *     range [0, 10]
+ *     range [0, 10]; each tick
  * @param[in] F_start force that the integral starts from: 0, or what holds the rod now less what
- *     is fed forward, N, refused outside [-1e+06, 1e+06], working range [-1000, 1000]
+ *     is fed forward, N, refused outside [-1e+06, 1e+06], working range [-1000, 1000]; each tick
  * @param[out] s state of the rod control
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -2650,12 +3166,13 @@ int dish_3rps_rod_control_init_f64(
  * @param[in] p parameters; not read: f, d, r_b, r_m, z_O, phi
  * @param[in,out] s state of the rod control; untouched where the status is negative
  * @param[in] l_ref wanted length of the rod, m, refused outside [-100, 100], working range [0,
- *     10]
- * @param[in] l_dot_ref its rate, m/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
+ *     10]; each tick
+ * @param[in] l_dot_ref its rate, m/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
  * @param[in] l_measured measured length of the rod, m, refused outside [-100, 100], working
- *     range [0, 10]
+ *     range [0, 10]; each tick
  * @param[in] F_ff force known beforehand, such as static_forces gives, N, refused outside
- *     [-1e+06, 1e+06], working range [-1000, 1000]
+ *     [-1e+06, 1e+06], working range [-1000, 1000]; each tick
  * @param[out] F_drive force that the drive is told to give, N (dish_3rps-F_drive)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x118147c1UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -25,6 +25,7 @@
 int dish_3rps_aim_at_receiver_setup_f64(
     const dish_3rps_params_f64 *p, dish_3rps_aim_at_receiver_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double f = p->f;
   const double d = p->d;
   const double r_b = p->r_b;
@@ -72,6 +73,7 @@ int dish_3rps_aim_at_receiver_setup_f64(
     ctx->H_T_P_p_x = H_T_P_p_x;
     ctx->H_T_P_p_y = H_T_P_p_y;
     ctx->r_b = r_b;
+    ctx->ready = 0x0349c496UL;
   }
   return status;
 }
@@ -94,16 +96,19 @@ int dish_3rps_aim_at_receiver_step_f64(
   const double H_T_P_p_x = ctx->H_T_P_p_x;
   const double H_T_P_p_y = ctx->H_T_P_p_y;
   const double r_b = ctx->r_b;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x0349c496UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double leg_constants[3] = {1.0, -0.5, -0.5};
     const double leg_constants_2[3] = {0.0, 0.8660254037844386, -0.8660254037844386};
     const double psi = alpha - phi; /* dish_3rps-psi */

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x118147c1UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -21,6 +21,7 @@
 int dish_3rps_central_ray_setup_f32(
     const dish_3rps_params_f32 *p, dish_3rps_central_ray_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float f = p->f;
   const float d = p->d;
   const float r_m = p->r_m;
@@ -55,6 +56,7 @@ int dish_3rps_central_ray_setup_f32(
     ctx->m3 = t4;
     ctx->z_O = z_O;
     ctx->f = f;
+    ctx->ready = 0x9ffa3292UL;
   }
   return status;
 }
@@ -71,16 +73,19 @@ int dish_3rps_central_ray_step_f32(
   const float m3 = ctx->m3;
   const float z_O = ctx->z_O;
   const float f = ctx->f;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x9ffa3292UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float psi = alpha - phi; /* dish_3rps-psi */
     const float sin_beta = sinf(beta);
     const float c_P_z = cosf(beta); /* dish_3rps-c_P */

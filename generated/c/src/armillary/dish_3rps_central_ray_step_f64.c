@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x118147c1UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -23,6 +23,7 @@
 int dish_3rps_central_ray_setup_f64(
     const dish_3rps_params_f64 *p, dish_3rps_central_ray_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double f = p->f;
   const double d = p->d;
   const double r_m = p->r_m;
@@ -57,6 +58,7 @@ int dish_3rps_central_ray_setup_f64(
     ctx->m3 = t4;
     ctx->z_O = z_O;
     ctx->f = f;
+    ctx->ready = 0x161e6600UL;
   }
   return status;
 }
@@ -73,16 +75,19 @@ int dish_3rps_central_ray_step_f64(
   const double m3 = ctx->m3;
   const double z_O = ctx->z_O;
   const double f = ctx->f;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x161e6600UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double psi = alpha - phi; /* dish_3rps-psi */
     const double sin_beta = sin(beta);
     const double c_P_z = cos(beta); /* dish_3rps-c_P */

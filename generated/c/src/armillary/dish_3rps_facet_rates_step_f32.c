@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x118147c1UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -21,6 +21,7 @@
 int dish_3rps_facet_rates_setup_f32(
     const dish_3rps_params_f32 *p, dish_3rps_facet_rates_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float f = p->f;
   const float d = p->d;
   const float r_m = p->r_m;
@@ -55,6 +56,7 @@ int dish_3rps_facet_rates_setup_f32(
     ctx->m4 = t4;
     ctx->cos_phi = cos_phi;
     ctx->sin_phi = sin_phi;
+    ctx->ready = 0xe03d43e9UL;
   }
   return status;
 }
@@ -72,14 +74,16 @@ int dish_3rps_facet_rates_step_f32(
   const float m4 = ctx->m4;
   const float cos_phi = ctx->cos_phi;
   const float sin_phi = ctx->sin_phi;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xe03d43e9UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f) ||
       !(fabsf(alpha_dot) <= 1.0e6f) ||
       !(fabsf(beta_dot) <= 1.0e6f) ||
       !(fabsf(z_dot) <= 1.0e6f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f)) ||
         ((fabsf(alpha_dot) <= FLT_MAX) && !(fabsf(alpha_dot) <= 1.0e6f)) ||
@@ -87,7 +91,8 @@ int dish_3rps_facet_rates_step_f32(
         ((fabsf(z_dot) <= FLT_MAX) && !(fabsf(z_dot) <= 1.0e6f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float psi = alpha - phi; /* dish_3rps-psi */
     const float t1 = sinf(psi);
     const float t2 = cosf(psi);

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x118147c1UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -20,6 +20,7 @@
 
 int dish_3rps_facet_setup_f32(const dish_3rps_params_f32 *p, dish_3rps_facet_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float f = p->f;
   const float d = p->d;
   const float r_m = p->r_m;
@@ -61,6 +62,7 @@ int dish_3rps_facet_setup_f32(const dish_3rps_params_f32 *p, dish_3rps_facet_ctx
     ctx->z_O = z_O;
     ctx->H_T_P_p_x = H_T_P_p_x;
     ctx->H_T_P_p_y = H_T_P_p_y;
+    ctx->ready = 0x5c322e4dUL;
   }
   return status;
 }
@@ -79,16 +81,19 @@ int dish_3rps_facet_step_f32(
   const float z_O = ctx->z_O;
   const float H_T_P_p_x = ctx->H_T_P_p_x;
   const float H_T_P_p_y = ctx->H_T_P_p_y;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x5c322e4dUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float psi = alpha - phi; /* dish_3rps-psi */
     const float t1 = sinf(psi);
     const float t2 = cosf(psi);

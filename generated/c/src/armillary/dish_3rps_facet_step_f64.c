@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x118147c1UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@
 
 int dish_3rps_facet_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_facet_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double f = p->f;
   const double d = p->d;
   const double r_m = p->r_m;
@@ -63,6 +64,7 @@ int dish_3rps_facet_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_facet_ctx
     ctx->z_O = z_O;
     ctx->H_T_P_p_x = H_T_P_p_x;
     ctx->H_T_P_p_y = H_T_P_p_y;
+    ctx->ready = 0xe737fa05UL;
   }
   return status;
 }
@@ -81,16 +83,19 @@ int dish_3rps_facet_step_f64(
   const double z_O = ctx->z_O;
   const double H_T_P_p_x = ctx->H_T_P_p_x;
   const double H_T_P_p_y = ctx->H_T_P_p_y;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xe737fa05UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double psi = alpha - phi; /* dish_3rps-psi */
     const double t1 = sin(psi);
     const double t2 = cos(psi);

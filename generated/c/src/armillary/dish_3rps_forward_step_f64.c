@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x118147c1UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -23,6 +23,7 @@
 
 int dish_3rps_forward_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_forward_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double f = p->f;
   const double d = p->d;
   const double r_b = p->r_b;
@@ -71,6 +72,7 @@ int dish_3rps_forward_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_forward
     ctx->sin_phi = sin_phi;
     ctx->H_T_P_p_x = H_T_P_p_x;
     ctx->H_T_P_p_y = H_T_P_p_y;
+    ctx->ready = 0xab10063eUL;
   }
   return status;
 }
@@ -94,7 +96,7 @@ int dish_3rps_forward_step_f64(
   const double sin_phi = ctx->sin_phi;
   const double H_T_P_p_x = ctx->H_T_P_p_x;
   const double H_T_P_p_y = ctx->H_T_P_p_y;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xab10063eUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   for (int leg = 0; leg < 3; ++leg) {
     if (!((l[leg] >= 0.0) && (l[leg] <= 1000.0))) {

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x118147c1UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -23,6 +23,7 @@
 int dish_3rps_jacobian_a_setup_f64(
     const dish_3rps_params_f64 *p, dish_3rps_jacobian_a_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double f = p->f;
   const double d = p->d;
   const double r_b = p->r_b;
@@ -64,6 +65,7 @@ int dish_3rps_jacobian_a_setup_f64(
     ctx->z_O = z_O;
     ctx->cos_phi = cos_phi;
     ctx->sin_phi = sin_phi;
+    ctx->ready = 0xe8a79da0UL;
   }
   return status;
 }
@@ -81,16 +83,19 @@ int dish_3rps_jacobian_a_step_f64(
   const double z_O = ctx->z_O;
   const double cos_phi = ctx->cos_phi;
   const double sin_phi = ctx->sin_phi;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xe8a79da0UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double leg_constants[3] = {1.0, -0.5, -0.5};
     const double leg_constants_2[3] = {0.0, 0.8660254037844386, -0.8660254037844386};
     const double psi = alpha - phi; /* dish_3rps-psi */

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x118147c1UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -21,6 +21,7 @@
 int dish_3rps_jacobian_b_setup_f32(
     const dish_3rps_params_f32 *p, dish_3rps_jacobian_b_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float f = p->f;
   const float d = p->d;
   const float r_m = p->r_m;
@@ -54,6 +55,7 @@ int dish_3rps_jacobian_b_setup_f32(
     ctx->m3 = t4;
     ctx->cos_phi = cos_phi;
     ctx->sin_phi = sin_phi;
+    ctx->ready = 0x10cf24cbUL;
   }
   return status;
 }
@@ -69,16 +71,19 @@ int dish_3rps_jacobian_b_step_f32(
   const float m3 = ctx->m3;
   const float cos_phi = ctx->cos_phi;
   const float sin_phi = ctx->sin_phi;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x10cf24cbUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_beta = sinf(beta);
     const float cos_beta = cosf(beta);
     const float psi = alpha - phi; /* dish_3rps-psi */

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x118147c1UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -23,6 +23,7 @@
 int dish_3rps_jacobian_passive_setup_f32(
     const dish_3rps_params_f32 *p, dish_3rps_jacobian_passive_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float f = p->f;
   const float d = p->d;
   const float r_b = p->r_b;
@@ -64,6 +65,7 @@ int dish_3rps_jacobian_passive_setup_f32(
     ctx->r_b = r_b;
     ctx->cos_phi = cos_phi;
     ctx->sin_phi = sin_phi;
+    ctx->ready = 0xa2212b4fUL;
   }
   return status;
 }
@@ -81,16 +83,19 @@ int dish_3rps_jacobian_passive_step_f32(
   const float r_b = ctx->r_b;
   const float cos_phi = ctx->cos_phi;
   const float sin_phi = ctx->sin_phi;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xa2212b4fUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float leg_constants[3] = {1.0f, -0.5f, -0.5f};
     const float leg_constants_2[3] = {0.0f, 0.8660254f, -0.8660254f};
     const float psi = alpha - phi; /* dish_3rps-psi */

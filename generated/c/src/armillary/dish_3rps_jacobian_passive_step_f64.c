@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x118147c1UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -25,6 +25,7 @@
 int dish_3rps_jacobian_passive_setup_f64(
     const dish_3rps_params_f64 *p, dish_3rps_jacobian_passive_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double f = p->f;
   const double d = p->d;
   const double r_b = p->r_b;
@@ -66,6 +67,7 @@ int dish_3rps_jacobian_passive_setup_f64(
     ctx->r_b = r_b;
     ctx->cos_phi = cos_phi;
     ctx->sin_phi = sin_phi;
+    ctx->ready = 0xb0e42c7fUL;
   }
   return status;
 }
@@ -83,16 +85,19 @@ int dish_3rps_jacobian_passive_step_f64(
   const double r_b = ctx->r_b;
   const double cos_phi = ctx->cos_phi;
   const double sin_phi = ctx->sin_phi;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xb0e42c7fUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double leg_constants[3] = {1.0, -0.5, -0.5};
     const double leg_constants_2[3] = {0.0, 0.8660254037844386, -0.8660254037844386};
     const double psi = alpha - phi; /* dish_3rps-psi */

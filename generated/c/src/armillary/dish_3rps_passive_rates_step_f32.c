@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x118147c1UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@
 int dish_3rps_passive_rates_setup_f32(
     const dish_3rps_params_f32 *p, dish_3rps_passive_rates_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float f = p->f;
   const float d = p->d;
   const float r_b = p->r_b;
@@ -59,6 +60,7 @@ int dish_3rps_passive_rates_setup_f32(
     ctx->m3 = t4 * t3;
     ctx->r_m = r_m;
     ctx->r_b = r_b;
+    ctx->ready = 0x89e931f6UL;
   }
   return status;
 }
@@ -75,14 +77,16 @@ int dish_3rps_passive_rates_step_f32(
   const float m3 = ctx->m3;
   const float r_m = ctx->r_m;
   const float r_b = ctx->r_b;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x89e931f6UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f) ||
       !(fabsf(alpha_dot) <= 1.0e6f) ||
       !(fabsf(beta_dot) <= 1.0e6f) ||
       !(fabsf(z_dot) <= 1.0e6f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f)) ||
         ((fabsf(alpha_dot) <= FLT_MAX) && !(fabsf(alpha_dot) <= 1.0e6f)) ||
@@ -90,7 +94,8 @@ int dish_3rps_passive_rates_step_f32(
         ((fabsf(z_dot) <= FLT_MAX) && !(fabsf(z_dot) <= 1.0e6f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float leg_constants[3] = {1.0f, -0.5f, -0.5f};
     const float leg_constants_2[3] = {0.0f, 0.8660254f, -0.8660254f};
     const float psi = alpha - phi; /* dish_3rps-psi */

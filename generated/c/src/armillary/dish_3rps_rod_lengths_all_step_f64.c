@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x118147c1UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -25,6 +25,7 @@
 int dish_3rps_rod_lengths_all_setup_f64(
     const dish_3rps_params_f64 *p, dish_3rps_rod_lengths_all_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double f = p->f;
   const double d = p->d;
   const double r_b = p->r_b;
@@ -58,6 +59,7 @@ int dish_3rps_rod_lengths_all_setup_f64(
     ctx->m3 = t4;
     ctx->d = d;
     ctx->z_O = z_O;
+    ctx->ready = 0xe9b1b878UL;
   }
   return status;
 }
@@ -72,16 +74,19 @@ int dish_3rps_rod_lengths_all_step_f64(
   const double m3 = ctx->m3;
   const double d = ctx->d;
   const double z_O = ctx->z_O;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xe9b1b878UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double facet_constants[4] = {1.0, 0.0, -1.0, 0.0};
     const double facet_constants_2[4] = {0.0, 1.0, 0.0, -1.0};
     const double leg_constants[3] = {1.0, -0.5, -0.5};

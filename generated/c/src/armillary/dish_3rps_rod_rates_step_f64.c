@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x118147c1UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@
 
 int dish_3rps_rod_rates_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_rod_rates_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double f = p->f;
   const double d = p->d;
   const double r_b = p->r_b;
@@ -59,6 +60,7 @@ int dish_3rps_rod_rates_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_rod_r
     ctx->d = d;
     ctx->m3 = t4;
     ctx->z_O = z_O;
+    ctx->ready = 0x06516703UL;
   }
   return status;
 }
@@ -75,14 +77,16 @@ int dish_3rps_rod_rates_step_f64(
   const double d = ctx->d;
   const double m3 = ctx->m3;
   const double z_O = ctx->z_O;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x06516703UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0) ||
       !(fabs(alpha_dot) <= 1.0e6) ||
       !(fabs(beta_dot) <= 1.0e6) ||
       !(fabs(z_dot) <= 1.0e6)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0)) ||
         ((fabs(alpha_dot) <= DBL_MAX) && !(fabs(alpha_dot) <= 1.0e6)) ||
@@ -90,7 +94,8 @@ int dish_3rps_rod_rates_step_f64(
         ((fabs(z_dot) <= DBL_MAX) && !(fabs(z_dot) <= 1.0e6))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double leg_constants[3] = {1.0, -0.5, -0.5};
     const double leg_constants_2[3] = {0.0, 0.8660254037844386, -0.8660254037844386};
     const double psi = alpha - phi; /* dish_3rps-psi */

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x118147c1UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -24,6 +24,7 @@ int dish_3rps_static_forces_setup_f32(
     const dish_3rps_params_f32 *p, float mass, const float centre[3], float g,
     dish_3rps_static_forces_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float f = p->f;
   const float d = p->d;
   const float r_b = p->r_b;
@@ -91,6 +92,7 @@ int dish_3rps_static_forces_setup_f32(
     ctx->centre_x = centre_x;
     ctx->centre_y = centre_y;
     ctx->centre_z = centre_z;
+    ctx->ready = 0xfa2cf1e7UL;
   }
   return status;
 }
@@ -121,7 +123,7 @@ int dish_3rps_static_forces_step_f32(
   const float centre_x = ctx->centre_x;
   const float centre_y = ctx->centre_y;
   const float centre_z = ctx->centre_z;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xfa2cf1e7UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f) ||
@@ -131,7 +133,9 @@ int dish_3rps_static_forces_step_f32(
       !(fabsf(n_d_x) <= 1.0e6f) ||
       !(fabsf(n_d_y) <= 1.0e6f) ||
       !(fabsf(n_d_z) <= 1.0e6f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f)) ||
         ((fabsf(f_d_x) <= FLT_MAX) && !(fabsf(f_d_x) <= 1.0e6f)) ||
@@ -142,7 +146,8 @@ int dish_3rps_static_forces_step_f32(
         ((fabsf(n_d_z) <= FLT_MAX) && !(fabsf(n_d_z) <= 1.0e6f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float leg_constants[3] = {1.0f, -0.5f, -0.5f};
     const float leg_constants_2[3] = {0.0f, 0.8660254f, -0.8660254f};
     const float psi = alpha - phi; /* dish_3rps-psi */

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x118147c1UL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -26,6 +26,7 @@ int dish_3rps_static_forces_setup_f64(
     const dish_3rps_params_f64 *p, double mass, const double centre[3], double g,
     dish_3rps_static_forces_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double f = p->f;
   const double d = p->d;
   const double r_b = p->r_b;
@@ -93,6 +94,7 @@ int dish_3rps_static_forces_setup_f64(
     ctx->centre_x = centre_x;
     ctx->centre_y = centre_y;
     ctx->centre_z = centre_z;
+    ctx->ready = 0xfd83837fUL;
   }
   return status;
 }
@@ -123,7 +125,7 @@ int dish_3rps_static_forces_step_f64(
   const double centre_x = ctx->centre_x;
   const double centre_y = ctx->centre_y;
   const double centre_z = ctx->centre_z;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xfd83837fUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0) ||
@@ -133,7 +135,9 @@ int dish_3rps_static_forces_step_f64(
       !(fabs(n_d_x) <= 1.0e6) ||
       !(fabs(n_d_y) <= 1.0e6) ||
       !(fabs(n_d_z) <= 1.0e6)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0)) ||
         ((fabs(f_d_x) <= DBL_MAX) && !(fabs(f_d_x) <= 1.0e6)) ||
@@ -144,7 +148,8 @@ int dish_3rps_static_forces_step_f64(
         ((fabs(n_d_z) <= DBL_MAX) && !(fabs(n_d_z) <= 1.0e6))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double leg_constants[3] = {1.0, -0.5, -0.5};
     const double leg_constants_2[3] = {0.0, 0.8660254037844386, -0.8660254037844386};
     const double psi = alpha - phi; /* dish_3rps-psi */

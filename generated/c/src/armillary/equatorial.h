@@ -3,12 +3,15 @@
  * @file equatorial.h
  * @brief Equatorial tracker.
  *
- * SI units, radians, right-handed frames; vectors at the boundary are local
- * east-north-up unless stated. Matrices are flat and row-major. Every function returns
- * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written. No pointer may be null. Inputs are read
- * before results are written, so they may overlap. Where an input and a result have one
- * name, the result's argument ends in _out.
+ * SI units, radians, right-handed frames; vectors at the boundary are local east-north-up
+ * unless stated. Matrices are flat and row-major. Every function returns an ARMILLARY status:
+ * 0 is OK, positive means every result is defined and finite, negative means that no result
+ * was written. No pointer may be null. Inputs are read before results are written, so they
+ * may overlap.
+ *
+ * Where an input and a result have one name, the result's argument ends in _out. A letter
+ * that headers of C, Arduino or AVR define as a macro (F, I) is nobody's name here: such a
+ * result ends in _out too, and such an input has a longer name.
  */
 #ifndef ARMILLARY_EQUATORIAL_H
 #define ARMILLARY_EQUATORIAL_H
@@ -18,13 +21,13 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_EQUATORIAL_ABI 0x8844726aUL
+#define ARMILLARY_EQUATORIAL_ABI 0xfadee400UL
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/** Parameters of the equatorial system. */
+/** Parameters of the equatorial system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** Height of the column, up to the tilt axis, m, refused outside [0, 1e+06], working range [0,
       10]. */
@@ -41,9 +44,9 @@ typedef struct {
  * Cost: 13 flops (10 mul, 3 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] incl tilt of the cradle, leaning north, rad, refused outside [-1000, 1000], working
- *     range [-3.2, 3.2]
+ *     range [-3.2, 3.2]; each tick
  * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
- *     refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
  *     rotation beside the position of its origin in m, 4 by 4, row-major (equatorial-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -51,55 +54,18 @@ typedef struct {
 int equatorial_pose_f32(const equatorial_params_f32 *p, float incl, float epsilon, float M[16]);
 
 /**
- * @brief What pose_setup hands to pose_step: 3 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  float L_2;
-  float L_1;
-  float L_0;
-} equatorial_pose_ctx_f32;
-
-/**
- * @brief Set-up of pose: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters
- * @param[out] ctx what pose_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int equatorial_pose_setup_f32(const equatorial_params_f32 *p, equatorial_pose_ctx_f32 *ctx);
-
-/**
- * @brief Step of pose. Pose of the collector.
- *
- * Cost: 13 flops (10 mul, 3 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what pose_setup left, its status not negative
- * @param[in] incl tilt of the cradle, leaning north, rad, refused outside [-1000, 1000], working
- *     range [-3.2, 3.2]
- * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
- *     refused outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
- *     rotation beside the position of its origin in m, 4 by 4, row-major (equatorial-M)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int equatorial_pose_step_f32(
-    const equatorial_pose_ctx_f32 *ctx, float incl, float epsilon, float M[16]);
-
-/**
  * @brief Motion of the collector while the drives run.
  *
  * Cost: 22 flops (18 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] incl tilt of the cradle, leaning north, rad, refused outside [-1000, 1000], working
- *     range [-3.2, 3.2]
+ *     range [-3.2, 3.2]; each tick
  * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
- *     refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] incl_dot rate of incl, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] epsilon_dot rate of epsilon, rad/s, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
  *     (equatorial-Omega_space)
  * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
@@ -119,67 +85,14 @@ int equatorial_velocity_f32(
     float V_space[16]);
 
 /**
- * @brief What velocity_setup hands to velocity_step: 3 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  float L_2;
-  float L_1;
-  float L_0;
-} equatorial_velocity_ctx_f32;
-
-/**
- * @brief Set-up of velocity: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters
- * @param[out] ctx what velocity_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int equatorial_velocity_setup_f32(
-    const equatorial_params_f32 *p, equatorial_velocity_ctx_f32 *ctx);
-
-/**
- * @brief Step of velocity. Motion of the collector while the drives run.
- *
- * Cost: 22 flops (18 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what velocity_setup left, its status not negative
- * @param[in] incl tilt of the cradle, leaning north, rad, refused outside [-1000, 1000], working
- *     range [-3.2, 3.2]
- * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
- *     refused outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[in] incl_dot rate of incl, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
- * @param[in] epsilon_dot rate of epsilon, rad/s, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
- * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
- *     (equatorial-Omega_space)
- * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
- *     (equatorial-Omega_body)
- * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
- *     (equatorial-v_origin)
- * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
- *     m/s (equatorial-v_spatial)
- * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
- *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
- *     (equatorial-V_space)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int equatorial_velocity_step_f32(
-    const equatorial_velocity_ctx_f32 *ctx, float incl, float epsilon, float incl_dot,
-    float epsilon_dot, float Omega_space[3], float Omega_body[3], float v_origin[3],
-    float v_spatial[3], float V_space[16]);
-
-/**
  * @brief Motion of the collector per unit speed of each drive.
  *
  * Cost: 10 flops (8 mul, 2 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: L_0
  * @param[in] incl tilt of the cradle, leaning north, rad, refused outside [-1000, 1000], working
- *     range [-3.2, 3.2]
+ *     range [-3.2, 3.2]; each tick
  * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
- *     refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
  *     its origin, m per unit of drive, over three for its angular velocity; columns incl,
  *     epsilon, 6 by 2, row-major (equatorial-J)
@@ -189,51 +102,13 @@ int equatorial_jacobian_f32(
     const equatorial_params_f32 *p, float incl, float epsilon, float J[12]);
 
 /**
- * @brief What jacobian_setup hands to jacobian_step: 2 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  float L_2;
-  float L_1;
-} equatorial_jacobian_ctx_f32;
-
-/**
- * @brief Set-up of jacobian: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters; not read: L_0
- * @param[out] ctx what jacobian_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int equatorial_jacobian_setup_f32(
-    const equatorial_params_f32 *p, equatorial_jacobian_ctx_f32 *ctx);
-
-/**
- * @brief Step of jacobian. Motion of the collector per unit speed of each drive.
- *
- * Cost: 10 flops (8 mul, 2 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_setup left, its status not negative
- * @param[in] incl tilt of the cradle, leaning north, rad, refused outside [-1000, 1000], working
- *     range [-3.2, 3.2]
- * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
- *     refused outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
- *     its origin, m per unit of drive, over three for its angular velocity; columns incl,
- *     epsilon, 6 by 2, row-major (equatorial-J)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int equatorial_jacobian_step_f32(
-    const equatorial_jacobian_ctx_f32 *ctx, float incl, float epsilon, float J[12]);
-
-/**
  * @brief Drive angles that put the collector's second axis on the sun, on the branch
  *     cos(epsilon) >= 0.
  *
  * Cost: 4 flops (2 mul, 1 add, 0 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[out] incl tilt that faces the sun, rad (equatorial-incl_aim)
  * @param[out] epsilon roll that faces the sun, in [-pi/2, pi/2], rad (equatorial-epsilon_aim)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -244,7 +119,7 @@ int equatorial_aim_f32(
 
 #if DBL_MANT_DIG >= 53
 
-/** Parameters of the equatorial system. */
+/** Parameters of the equatorial system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** Height of the column, up to the tilt axis, m, refused outside [0, 1e+06], working range [0,
       10]. */
@@ -261,9 +136,9 @@ typedef struct {
  * Cost: 13 flops (10 mul, 3 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] incl tilt of the cradle, leaning north, rad, refused outside [-1000, 1000], working
- *     range [-3.2, 3.2]
+ *     range [-3.2, 3.2]; each tick
  * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
- *     refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
  *     rotation beside the position of its origin in m, 4 by 4, row-major (equatorial-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -271,55 +146,18 @@ typedef struct {
 int equatorial_pose_f64(const equatorial_params_f64 *p, double incl, double epsilon, double M[16]);
 
 /**
- * @brief What pose_setup hands to pose_step: 3 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  double L_2;
-  double L_1;
-  double L_0;
-} equatorial_pose_ctx_f64;
-
-/**
- * @brief Set-up of pose: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters
- * @param[out] ctx what pose_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int equatorial_pose_setup_f64(const equatorial_params_f64 *p, equatorial_pose_ctx_f64 *ctx);
-
-/**
- * @brief Step of pose. Pose of the collector.
- *
- * Cost: 13 flops (10 mul, 3 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what pose_setup left, its status not negative
- * @param[in] incl tilt of the cradle, leaning north, rad, refused outside [-1000, 1000], working
- *     range [-3.2, 3.2]
- * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
- *     refused outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
- *     rotation beside the position of its origin in m, 4 by 4, row-major (equatorial-M)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int equatorial_pose_step_f64(
-    const equatorial_pose_ctx_f64 *ctx, double incl, double epsilon, double M[16]);
-
-/**
  * @brief Motion of the collector while the drives run.
  *
  * Cost: 22 flops (18 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] incl tilt of the cradle, leaning north, rad, refused outside [-1000, 1000], working
- *     range [-3.2, 3.2]
+ *     range [-3.2, 3.2]; each tick
  * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
- *     refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] incl_dot rate of incl, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] epsilon_dot rate of epsilon, rad/s, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
  *     (equatorial-Omega_space)
  * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
@@ -339,67 +177,14 @@ int equatorial_velocity_f64(
     double v_spatial[3], double V_space[16]);
 
 /**
- * @brief What velocity_setup hands to velocity_step: 3 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  double L_2;
-  double L_1;
-  double L_0;
-} equatorial_velocity_ctx_f64;
-
-/**
- * @brief Set-up of velocity: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters
- * @param[out] ctx what velocity_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int equatorial_velocity_setup_f64(
-    const equatorial_params_f64 *p, equatorial_velocity_ctx_f64 *ctx);
-
-/**
- * @brief Step of velocity. Motion of the collector while the drives run.
- *
- * Cost: 22 flops (18 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what velocity_setup left, its status not negative
- * @param[in] incl tilt of the cradle, leaning north, rad, refused outside [-1000, 1000], working
- *     range [-3.2, 3.2]
- * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
- *     refused outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[in] incl_dot rate of incl, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
- * @param[in] epsilon_dot rate of epsilon, rad/s, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
- * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
- *     (equatorial-Omega_space)
- * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
- *     (equatorial-Omega_body)
- * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
- *     (equatorial-v_origin)
- * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
- *     m/s (equatorial-v_spatial)
- * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
- *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
- *     (equatorial-V_space)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int equatorial_velocity_step_f64(
-    const equatorial_velocity_ctx_f64 *ctx, double incl, double epsilon, double incl_dot,
-    double epsilon_dot, double Omega_space[3], double Omega_body[3], double v_origin[3],
-    double v_spatial[3], double V_space[16]);
-
-/**
  * @brief Motion of the collector per unit speed of each drive.
  *
  * Cost: 10 flops (8 mul, 2 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: L_0
  * @param[in] incl tilt of the cradle, leaning north, rad, refused outside [-1000, 1000], working
- *     range [-3.2, 3.2]
+ *     range [-3.2, 3.2]; each tick
  * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
- *     refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
  *     its origin, m per unit of drive, over three for its angular velocity; columns incl,
  *     epsilon, 6 by 2, row-major (equatorial-J)
@@ -409,51 +194,13 @@ int equatorial_jacobian_f64(
     const equatorial_params_f64 *p, double incl, double epsilon, double J[12]);
 
 /**
- * @brief What jacobian_setup hands to jacobian_step: 2 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  double L_2;
-  double L_1;
-} equatorial_jacobian_ctx_f64;
-
-/**
- * @brief Set-up of jacobian: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters; not read: L_0
- * @param[out] ctx what jacobian_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int equatorial_jacobian_setup_f64(
-    const equatorial_params_f64 *p, equatorial_jacobian_ctx_f64 *ctx);
-
-/**
- * @brief Step of jacobian. Motion of the collector per unit speed of each drive.
- *
- * Cost: 10 flops (8 mul, 2 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_setup left, its status not negative
- * @param[in] incl tilt of the cradle, leaning north, rad, refused outside [-1000, 1000], working
- *     range [-3.2, 3.2]
- * @param[in] epsilon roll of the collector, clockwise seen from the tip of the post, rad,
- *     refused outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
- *     its origin, m per unit of drive, over three for its angular velocity; columns incl,
- *     epsilon, 6 by 2, row-major (equatorial-J)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int equatorial_jacobian_step_f64(
-    const equatorial_jacobian_ctx_f64 *ctx, double incl, double epsilon, double J[12]);
-
-/**
  * @brief Drive angles that put the collector's second axis on the sun, on the branch
  *     cos(epsilon) >= 0.
  *
  * Cost: 4 flops (2 mul, 1 add, 0 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[out] incl tilt that faces the sun, rad (equatorial-incl_aim)
  * @param[out] epsilon roll that faces the sun, in [-pi/2, pi/2], rad (equatorial-epsilon_aim)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE

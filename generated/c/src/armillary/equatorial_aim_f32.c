@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_EQUATORIAL_ABI) || (ARMILLARY_EQUATORIAL_ABI != 0x8844726aUL)
+#if !defined(ARMILLARY_EQUATORIAL_ABI) || (ARMILLARY_EQUATORIAL_ABI != 0xfadee400UL)
 #error "equatorial.h is of another version than this file: copy both from one release"
 #endif
 

@@ -3,12 +3,15 @@
  * @file frames.h
  * @brief Horizontal frames.
  *
- * SI units, radians, right-handed frames; vectors at the boundary are local
- * east-north-up unless stated. Matrices are flat and row-major. Every function returns
- * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written. No pointer may be null. Inputs are read
- * before results are written, so they may overlap. Where an input and a result have one
- * name, the result's argument ends in _out.
+ * SI units, radians, right-handed frames; vectors at the boundary are local east-north-up
+ * unless stated. Matrices are flat and row-major. Every function returns an ARMILLARY status:
+ * 0 is OK, positive means every result is defined and finite, negative means that no result
+ * was written. No pointer may be null. Inputs are read before results are written, so they
+ * may overlap.
+ *
+ * Where an input and a result have one name, the result's argument ends in _out. A letter
+ * that headers of C, Arduino or AVR define as a macro (F, I) is nobody's name here: such a
+ * result ends in _out too, and such an input has a longer name.
  */
 #ifndef ARMILLARY_FRAMES_H
 #define ARMILLARY_FRAMES_H
@@ -18,7 +21,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_FRAMES_ABI 0x70df285eUL
+#define ARMILLARY_FRAMES_ABI 0x402fc7d7UL
 
 #ifdef __cplusplus
 extern "C" {
@@ -29,7 +32,7 @@ extern "C" {
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] v a vector of any unit, in the axes that the kernel's name ends with, refused
- *     outside [-1e+06, 1e+06], working range [-10, 10]
+ *     outside [-1e+06, 1e+06], working range [-10, 10]; each tick
  * @param[out] v_out the vector in South-East-Up axes (frames-seu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -40,7 +43,7 @@ int frames_seu_from_enu_f32(const float v[3], float v_out[3]);
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] v a vector of any unit, in the axes that the kernel's name ends with, refused
- *     outside [-1e+06, 1e+06], working range [-10, 10]
+ *     outside [-1e+06, 1e+06], working range [-10, 10]; each tick
  * @param[out] v_out a South-East-Up vector in East-North-Up axes (frames-enu_of_seu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -51,7 +54,7 @@ int frames_enu_from_seu_f32(const float v[3], float v_out[3]);
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] v a vector of any unit, in the axes that the kernel's name ends with, refused
- *     outside [-1e+06, 1e+06], working range [-10, 10]
+ *     outside [-1e+06, 1e+06], working range [-10, 10]; each tick
  * @param[out] v_out the vector in West-South-Up axes (frames-wsu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -62,7 +65,7 @@ int frames_wsu_from_enu_f32(const float v[3], float v_out[3]);
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] v a vector of any unit, in the axes that the kernel's name ends with, refused
- *     outside [-1e+06, 1e+06], working range [-10, 10]
+ *     outside [-1e+06, 1e+06], working range [-10, 10]; each tick
  * @param[out] v_out a West-South-Up vector in East-North-Up axes (frames-enu_of_wsu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -74,7 +77,7 @@ int frames_enu_from_wsu_f32(const float v[3], float v_out[3]);
  *
  * Cost: 1 flops (0 mul, 1 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
  * @param[in] azimuth azimuth from north, positive towards east, rad, refused outside [-1000,
- *     1000], working range [0, 6.3]
+ *     1000], working range [0, 6.3]; each tick
  * @param[out] azimuth_south azimuth from south, positive towards west, in [-pi, pi], rad
  *     (frames-from_south)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -87,7 +90,7 @@ int frames_azimuth_from_south_west_f32(float azimuth, float *azimuth_south);
  *
  * Cost: 2 flops (0 mul, 2 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
  * @param[in] azimuth_south azimuth from south, positive towards west, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] azimuth azimuth from north, positive towards east, in [0, 2 pi), rad
  *     (frames-from_north)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -101,7 +104,7 @@ int frames_azimuth_from_north_east_f32(float azimuth_south, float *azimuth);
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] v a vector of any unit, in the axes that the kernel's name ends with, refused
- *     outside [-1e+06, 1e+06], working range [-10, 10]
+ *     outside [-1e+06, 1e+06], working range [-10, 10]; each tick
  * @param[out] v_out the vector in South-East-Up axes (frames-seu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -112,7 +115,7 @@ int frames_seu_from_enu_f64(const double v[3], double v_out[3]);
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] v a vector of any unit, in the axes that the kernel's name ends with, refused
- *     outside [-1e+06, 1e+06], working range [-10, 10]
+ *     outside [-1e+06, 1e+06], working range [-10, 10]; each tick
  * @param[out] v_out a South-East-Up vector in East-North-Up axes (frames-enu_of_seu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -123,7 +126,7 @@ int frames_enu_from_seu_f64(const double v[3], double v_out[3]);
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] v a vector of any unit, in the axes that the kernel's name ends with, refused
- *     outside [-1e+06, 1e+06], working range [-10, 10]
+ *     outside [-1e+06, 1e+06], working range [-10, 10]; each tick
  * @param[out] v_out the vector in West-South-Up axes (frames-wsu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -134,7 +137,7 @@ int frames_wsu_from_enu_f64(const double v[3], double v_out[3]);
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] v a vector of any unit, in the axes that the kernel's name ends with, refused
- *     outside [-1e+06, 1e+06], working range [-10, 10]
+ *     outside [-1e+06, 1e+06], working range [-10, 10]; each tick
  * @param[out] v_out a West-South-Up vector in East-North-Up axes (frames-enu_of_wsu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -146,7 +149,7 @@ int frames_enu_from_wsu_f64(const double v[3], double v_out[3]);
  *
  * Cost: 1 flops (0 mul, 1 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
  * @param[in] azimuth azimuth from north, positive towards east, rad, refused outside [-1000,
- *     1000], working range [0, 6.3]
+ *     1000], working range [0, 6.3]; each tick
  * @param[out] azimuth_south azimuth from south, positive towards west, in [-pi, pi], rad
  *     (frames-from_south)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -159,7 +162,7 @@ int frames_azimuth_from_south_west_f64(double azimuth, double *azimuth_south);
  *
  * Cost: 2 flops (0 mul, 2 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
  * @param[in] azimuth_south azimuth from south, positive towards west, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] azimuth azimuth from north, positive towards east, in [0, 2 pi), rad
  *     (frames-from_north)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE

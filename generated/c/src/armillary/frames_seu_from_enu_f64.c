@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_FRAMES_ABI) || (ARMILLARY_FRAMES_ABI != 0x70df285eUL)
+#if !defined(ARMILLARY_FRAMES_ABI) || (ARMILLARY_FRAMES_ABI != 0x402fc7d7UL)
 #error "frames.h is of another version than this file: copy both from one release"
 #endif
 

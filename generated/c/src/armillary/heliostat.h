@@ -3,12 +3,19 @@
  * @file heliostat.h
  * @brief Heliostat.
  *
- * SI units, radians, right-handed frames; vectors at the boundary are local
- * east-north-up unless stated. Matrices are flat and row-major. Every function returns
- * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written. No pointer may be null. Inputs are read
- * before results are written, so they may overlap. Where an input and a result have one
- * name, the result's argument ends in _out.
+ * SI units, radians, right-handed frames; vectors at the boundary are local east-north-up
+ * unless stated. Matrices are flat and row-major. Every function returns an ARMILLARY status:
+ * 0 is OK, positive means every result is defined and finite, negative means that no result
+ * was written. No pointer may be null. Inputs are read before results are written, so they
+ * may overlap.
+ *
+ * Where an input and a result have one name, the result's argument ends in _out. A letter
+ * that headers of C, Arduino or AVR define as a macro (F, I) is nobody's name here: such a
+ * result ends in _out too, and such an input has a longer name.
+ *
+ * X_setup does what X does with all that the mount holds, once, and leaves it in a ctx;
+ * X_step does the rest, each time. A kernel whose step would cost no less than itself has
+ * neither.
  */
 #ifndef ARMILLARY_HELIOSTAT_H
 #define ARMILLARY_HELIOSTAT_H
@@ -18,13 +25,13 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_HELIOSTAT_ABI 0x1b9d2fa5UL
+#define ARMILLARY_HELIOSTAT_ABI 0xd89ba519UL
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/** Parameters of the heliostat system. */
+/** Parameters of the heliostat system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** Lean of the azimuth axis to the north, rad, refused outside [-1000, 1000], working range
       [-0.3, 0.3]. */
@@ -52,19 +59,26 @@ typedef struct {
  * Cost: 20 flops (14 mul, 6 add, 0 div, 0 sqrt), 10 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] n unit normal of the mirror for given drive angles (heliostat-normal)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_normal_setup_f32
+ * @see heliostat_normal_step_f32
  */
 int heliostat_normal_f32(const heliostat_params_f32 *p, float alpha, float beta, float n[3]);
 
 /**
  * @brief What normal_setup hands to normal_step: 6 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of normal_setup and a mark from its end, if it did not refuse.
+ *     Without the mark normal_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float sin_chi;
   float cos_chi;
   float cos_psi;
@@ -77,10 +91,14 @@ typedef struct {
  * @brief Set-up of normal: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
- * @param[out] ctx what normal_step reads; untouched where the status is negative
+ * @param[out] ctx what normal_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_normal_f32
+ * @see heliostat_normal_step_f32
  */
 int heliostat_normal_setup_f32(const heliostat_params_f32 *p, heliostat_normal_ctx_f32 *ctx);
 
@@ -88,13 +106,16 @@ int heliostat_normal_setup_f32(const heliostat_params_f32 *p, heliostat_normal_c
  * @brief Step of normal. Unit normal of the mirror for given drive angles.
  *
  * Cost: 20 flops (14 mul, 6 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what normal_setup left, its status not negative
+ * @param[in] ctx what normal_setup left; refused if it is not ready
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] n unit normal of the mirror for given drive angles (heliostat-normal)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_normal_f32
+ * @see heliostat_normal_setup_f32
  */
 int heliostat_normal_step_f32(
     const heliostat_normal_ctx_f32 *ctx, float alpha, float beta, float n[3]);
@@ -105,11 +126,11 @@ int heliostat_normal_step_f32(
  * Cost: 22 flops (18 mul, 4 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] L_R_E rotation of equatorial components into local ones, 3 by 3, row-major
  *     (heliostat-L_R_E)
  * @param[out] I_R_L rotation of local components into those of the azimuth axis, 3 by 3,
@@ -117,6 +138,8 @@ int heliostat_normal_step_f32(
  * @param[out] H_R_I rotation of components of the azimuth axis into the mirror's, 3 by 3,
  *     row-major (heliostat-H_R_I)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_chain_setup_f32
+ * @see heliostat_chain_step_f32
  */
 int heliostat_chain_f32(
     const heliostat_params_f32 *p, float latitude, float alpha, float beta, float L_R_E[9],
@@ -124,10 +147,15 @@ int heliostat_chain_f32(
 
 /**
  * @brief What chain_setup hands to chain_step: 12 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of chain_setup and a mark from its end, if it did not refuse.
+ *     Without the mark chain_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds heliostat-L_R_E, heliostat-I_R_L.
  */
 typedef struct {
+  volatile unsigned long ready;
   float cos_chi;
   float sin_chi;
   float L_R_E_11;
@@ -146,12 +174,16 @@ typedef struct {
  * @brief Set-up of chain: all of it that changes with the mount only.
  *
  * Cost: 4 flops (4 mul, 0 add, 0 div, 0 sqrt), 8 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
- * @param[out] ctx what chain_step reads; untouched where the status is negative
+ *     working range [-1.5708, 1.5708]; held by the mount
+ * @param[out] ctx what chain_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_chain_f32
+ * @see heliostat_chain_step_f32
  */
 int heliostat_chain_setup_f32(
     const heliostat_params_f32 *p, float latitude, heliostat_chain_ctx_f32 *ctx);
@@ -160,11 +192,11 @@ int heliostat_chain_setup_f32(
  * @brief Step of chain. Rotations from the equator to the mirror, in the paper's axes.
  *
  * Cost: 18 flops (14 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what chain_setup left, its status not negative
+ * @param[in] ctx what chain_setup left; refused if it is not ready
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] L_R_E rotation of equatorial components into local ones, 3 by 3, row-major
  *     (heliostat-L_R_E)
  * @param[out] I_R_L rotation of local components into those of the azimuth axis, 3 by 3,
@@ -172,6 +204,9 @@ int heliostat_chain_setup_f32(
  * @param[out] H_R_I rotation of components of the azimuth axis into the mirror's, 3 by 3,
  *     row-major (heliostat-H_R_I)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_chain_f32
+ * @see heliostat_chain_setup_f32
  */
 int heliostat_chain_step_f32(
     const heliostat_chain_ctx_f32 *ctx, float alpha, float beta, float L_R_E[9], float I_R_L[9],
@@ -185,11 +220,11 @@ int heliostat_chain_step_f32(
  * Cost: 14 flops (10 mul, 4 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] L_R_E rotation of equatorial components into local ones, 3 by 3, row-major
  *     (heliostat-L_R_E)
  * @param[out] I_R_L rotation of local components into those of the azimuth axis, to first order,
@@ -197,6 +232,8 @@ int heliostat_chain_step_f32(
  * @param[out] H_R_I rotation of components of the azimuth axis into the mirror's, to first
  *     order, 3 by 3, row-major (heliostat-H_R_I_1)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_chain_first_order_setup_f32
+ * @see heliostat_chain_first_order_step_f32
  */
 int heliostat_chain_first_order_f32(
     const heliostat_params_f32 *p, float latitude, float alpha, float beta, float L_R_E[9],
@@ -204,10 +241,16 @@ int heliostat_chain_first_order_f32(
 
 /**
  * @brief What chain_first_order_setup hands to chain_first_order_step: 5 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of chain_first_order_setup and a mark from its end, if it did
+ *     not refuse. Without the mark chain_first_order_step answers ARMILLARY_OUT_OF_RANGE and
+ *     writes nothing: a machine does not go on with a mount that was never told, or that was
+ *     told wrong.
  * It holds heliostat-L_R_E, heliostat-I_R_L_1.
  */
 typedef struct {
+  volatile unsigned long ready;
   float chi;
   float L_R_E_11;
   float L_R_E_31;
@@ -219,12 +262,16 @@ typedef struct {
  * @brief Set-up of chain_first_order: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
- * @param[out] ctx what chain_first_order_step reads; untouched where the status is negative
+ *     working range [-1.5708, 1.5708]; held by the mount
+ * @param[out] ctx what chain_first_order_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_chain_first_order_f32
+ * @see heliostat_chain_first_order_step_f32
  */
 int heliostat_chain_first_order_setup_f32(
     const heliostat_params_f32 *p, float latitude, heliostat_chain_first_order_ctx_f32 *ctx);
@@ -236,11 +283,11 @@ int heliostat_chain_first_order_setup_f32(
  *     0.3 rad.
  *
  * Cost: 14 flops (10 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what chain_first_order_setup left, its status not negative
+ * @param[in] ctx what chain_first_order_setup left; refused if it is not ready
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] L_R_E rotation of equatorial components into local ones, 3 by 3, row-major
  *     (heliostat-L_R_E)
  * @param[out] I_R_L rotation of local components into those of the azimuth axis, to first order,
@@ -248,6 +295,9 @@ int heliostat_chain_first_order_setup_f32(
  * @param[out] H_R_I rotation of components of the azimuth axis into the mirror's, to first
  *     order, 3 by 3, row-major (heliostat-H_R_I_1)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_chain_first_order_f32
+ * @see heliostat_chain_first_order_setup_f32
  */
 int heliostat_chain_first_order_step_f32(
     const heliostat_chain_first_order_ctx_f32 *ctx, float alpha, float beta, float L_R_E[9],
@@ -259,9 +309,9 @@ int heliostat_chain_first_order_step_f32(
  * Cost: 18 flops (9 mul, 7 add, 1 div, 1 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] n unit normal that sends the sun to the receiver (heliostat-wanted)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: b = -c within 1e-6: no normal is singled out
@@ -270,52 +320,14 @@ int heliostat_bisector_f32(
     const heliostat_params_f32 *p, const float c[3], const float b[3], float n[3]);
 
 /**
- * @brief What bisector_setup hands to bisector_step: 3 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  float b_x;
-  float b_y;
-  float b_z;
-} heliostat_bisector_ctx_f32;
-
-/**
- * @brief Set-up of bisector: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters; none of them is read
- * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what bisector_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int heliostat_bisector_setup_f32(
-    const heliostat_params_f32 *p, const float b[3], heliostat_bisector_ctx_f32 *ctx);
-
-/**
- * @brief Step of bisector. Unit normal that sends the sun to the receiver.
- *
- * Cost: 18 flops (9 mul, 7 add, 1 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * @param[in] ctx what bisector_setup left, its status not negative
- * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
- * @param[out] n unit normal that sends the sun to the receiver (heliostat-wanted)
- * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: b = -c within 1e-6: no normal is singled out
- */
-int heliostat_bisector_step_f32(
-    const heliostat_bisector_ctx_f32 *ctx, const float c[3], float n[3]);
-
-/**
  * @brief Where a mirror of a given normal sends the sun.
  *
  * Cost: 12 flops (7 mul, 5 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] n unit normal of the mirror, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[out] b direction of the reflected beam for a given normal (heliostat-b_reflected)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -328,22 +340,29 @@ int heliostat_reflect_f32(
  * Cost: 32 flops (21 mul, 11 add, 0 div, 0 sqrt), 10 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] b direction of the reflected beam for given drive angles (heliostat-b_beam)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_beam_setup_f32
+ * @see heliostat_beam_step_f32
  */
 int heliostat_beam_f32(
     const heliostat_params_f32 *p, const float c[3], float alpha, float beta, float b[3]);
 
 /**
  * @brief What beam_setup hands to beam_step: 6 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of beam_setup and a mark from its end, if it did not refuse.
+ *     Without the mark beam_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float sin_chi;
   float cos_chi;
   float cos_psi;
@@ -356,10 +375,14 @@ typedef struct {
  * @brief Set-up of beam: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
- * @param[out] ctx what beam_step reads; untouched where the status is negative
+ * @param[out] ctx what beam_step reads; not ready where the status is negative, whatever it held
+ *     before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_beam_f32
+ * @see heliostat_beam_step_f32
  */
 int heliostat_beam_setup_f32(const heliostat_params_f32 *p, heliostat_beam_ctx_f32 *ctx);
 
@@ -367,15 +390,18 @@ int heliostat_beam_setup_f32(const heliostat_params_f32 *p, heliostat_beam_ctx_f
  * @brief Step of beam. Where the mirror sends the sun, for given drive angles.
  *
  * Cost: 32 flops (21 mul, 11 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what beam_setup left, its status not negative
+ * @param[in] ctx what beam_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] b direction of the reflected beam for given drive angles (heliostat-b_beam)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_beam_f32
+ * @see heliostat_beam_setup_f32
  */
 int heliostat_beam_step_f32(
     const heliostat_beam_ctx_f32 *ctx, const float c[3], float alpha, float beta, float b[3]);
@@ -386,9 +412,9 @@ int heliostat_beam_step_f32(
  * Cost: 13 flops (6 mul, 5 add, 1 div, 1 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] position where the mirror stands, m, refused outside [-1e+06, 1e+06], working range
- *     [-1000, 1000]
+ *     [-1000, 1000]; held by the mount
  * @param[in] aim_point point of the receiver to be lit, m, refused outside [-1e+06, 1e+06],
- *     working range [-1000, 1000]
+ *     working range [-1000, 1000]; held by the mount
  * @param[out] b unit vector from the mirror to the aim point (heliostat-b_target)
  * @param[out] distance distance from the mirror to the aim point, m (heliostat-distance)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -405,32 +431,39 @@ int heliostat_target_f32(
  * Cost: 64 flops (38 mul, 23 add, 1 div, 2 sqrt), 10 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] position where the mirror stands, m, refused outside [-1e+06, 1e+06], working range
- *     [-1000, 1000]
+ *     [-1000, 1000]; held by the mount
  * @param[in] aim_point point of the receiver to be lit, m, refused outside [-1e+06, 1e+06],
- *     working range [-1000, 1000]
+ *     working range [-1000, 1000]; held by the mount
  * @param[out] miss distance from the aim point at which the beam meets the plane that faces the
  *     mirror, m (heliostat-miss)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the aim point lies on the mirror, within 1e-6 m
  *   UNREACHABLE: the beam leaves across the way, or backwards
  *   UNREACHABLE: the sun stands behind the mirror
+ * @see heliostat_miss_setup_f32
+ * @see heliostat_miss_step_f32
  */
 int heliostat_miss_f32(
     const heliostat_params_f32 *p, const float c[3], float alpha, float beta,
     const float position[3], const float aim_point[3], float *miss);
 
 /**
- * @brief What miss_setup hands to miss_step: 12 numbers.
- * Its fields may change from version to version.
- * It holds heliostat-way, heliostat-distance, heliostat-on_mirror.
+ * @brief What miss_setup hands to miss_step: 11 numbers.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of miss_setup and a mark from its end, if it did not refuse.
+ *     Without the mark miss_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
+ * It holds heliostat-way, heliostat-distance.
  */
 typedef struct {
+  volatile unsigned long ready;
   float sin_chi;
   float cos_chi;
   float cos_psi;
@@ -442,21 +475,25 @@ typedef struct {
   float way_x;
   float distance;
   float m1;
-  int on_mirror;
 } heliostat_miss_ctx_f32;
 
 /**
  * @brief Set-up of miss: all of it that changes with the mount only.
  *
  * Cost: 10 flops (4 mul, 5 add, 0 div, 1 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] position where the mirror stands, m, refused outside [-1e+06, 1e+06], working range
- *     [-1000, 1000]
+ *     [-1000, 1000]; held by the mount
  * @param[in] aim_point point of the receiver to be lit, m, refused outside [-1e+06, 1e+06],
- *     working range [-1000, 1000]
- * @param[out] ctx what miss_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *     working range [-1000, 1000]; held by the mount
+ * @param[out] ctx what miss_step reads; not ready where the status is negative, whatever it held
+ *     before
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the aim point lies on the mirror, within 1e-6 m
+ * @see heliostat_miss_f32
+ * @see heliostat_miss_step_f32
  */
 int heliostat_miss_setup_f32(
     const heliostat_params_f32 *p, const float position[3], const float aim_point[3],
@@ -467,19 +504,21 @@ int heliostat_miss_setup_f32(
  *     that faces the mirror.
  *
  * Cost: 54 flops (34 mul, 18 add, 1 div, 1 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what miss_setup left, its status not negative
+ * @param[in] ctx what miss_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] miss distance from the aim point at which the beam meets the plane that faces the
  *     mirror, m (heliostat-miss)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: the aim point lies on the mirror, within 1e-6 m
  *   UNREACHABLE: the beam leaves across the way, or backwards
  *   UNREACHABLE: the sun stands behind the mirror
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_miss_f32
+ * @see heliostat_miss_setup_f32
  */
 int heliostat_miss_step_f32(
     const heliostat_miss_ctx_f32 *ctx, const float c[3], float alpha, float beta, float *miss);
@@ -491,9 +530,9 @@ int heliostat_miss_step_f32(
  * Cost: 35 flops (22 mul, 12 add, 0 div, 1 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] alpha azimuth drive angle, front branch, rad (heliostat-alpha_drive)
  * @param[out] beta elevation drive angle, front branch: in [-pi/2, pi/2], rad
  *     (heliostat-beta_drive)
@@ -503,15 +542,22 @@ int heliostat_miss_step_f32(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ * @see heliostat_drive_setup_f32
+ * @see heliostat_drive_step_f32
  */
 int heliostat_drive_f32(
     const heliostat_params_f32 *p, const float c[3], const float b[3], float *alpha, float *beta);
 
 /**
  * @brief What drive_setup hands to drive_step: 10 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of drive_setup and a mark from its end, if it did not refuse.
+ *     Without the mark drive_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x;
   float b_y;
   float b_z;
@@ -528,12 +574,16 @@ typedef struct {
  * @brief Set-up of drive: all of it that changes with the mount only.
  *
  * Cost: 2 flops (2 mul, 0 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what drive_step reads; untouched where the status is negative
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
+ * @param[out] ctx what drive_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_drive_f32
+ * @see heliostat_drive_step_f32
  */
 int heliostat_drive_setup_f32(
     const heliostat_params_f32 *p, const float b[3], heliostat_drive_ctx_f32 *ctx);
@@ -543,9 +593,9 @@ int heliostat_drive_setup_f32(
  *     >= 0. With b = c the mirror faces the sun.
  *
  * Cost: 33 flops (20 mul, 12 add, 0 div, 1 sqrt), 0 sin/cos, 2 atan2.
- * @param[in] ctx what drive_setup left, its status not negative
+ * @param[in] ctx what drive_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[out] alpha azimuth drive angle, front branch, rad (heliostat-alpha_drive)
  * @param[out] beta elevation drive angle, front branch: in [-pi/2, pi/2], rad
  *     (heliostat-beta_drive)
@@ -555,6 +605,9 @@ int heliostat_drive_setup_f32(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_drive_f32
+ * @see heliostat_drive_setup_f32
  */
 int heliostat_drive_step_f32(
     const heliostat_drive_ctx_f32 *ctx, const float c[3], float *alpha, float *beta);
@@ -566,9 +619,9 @@ int heliostat_drive_step_f32(
  * Cost: 35 flops (22 mul, 12 add, 0 div, 1 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] alpha azimuth drive angle, back branch, rad (heliostat-alpha_back)
  * @param[out] beta elevation drive angle, back branch, rad (heliostat-beta_back)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -577,15 +630,23 @@ int heliostat_drive_step_f32(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ * @see heliostat_drive_back_setup_f32
+ * @see heliostat_drive_back_step_f32
  */
 int heliostat_drive_back_f32(
     const heliostat_params_f32 *p, const float c[3], const float b[3], float *alpha, float *beta);
 
 /**
  * @brief What drive_back_setup hands to drive_back_step: 10 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of drive_back_setup and a mark from its end, if it did not
+ *     refuse. Without the mark drive_back_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x;
   float b_y;
   float b_z;
@@ -602,12 +663,16 @@ typedef struct {
  * @brief Set-up of drive_back: all of it that changes with the mount only.
  *
  * Cost: 2 flops (2 mul, 0 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what drive_back_step reads; untouched where the status is negative
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
+ * @param[out] ctx what drive_back_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_drive_back_f32
+ * @see heliostat_drive_back_step_f32
  */
 int heliostat_drive_back_setup_f32(
     const heliostat_params_f32 *p, const float b[3], heliostat_drive_back_ctx_f32 *ctx);
@@ -617,9 +682,9 @@ int heliostat_drive_back_setup_f32(
  *     the top: cos(beta) <= 0.
  *
  * Cost: 33 flops (20 mul, 12 add, 0 div, 1 sqrt), 0 sin/cos, 2 atan2.
- * @param[in] ctx what drive_back_setup left, its status not negative
+ * @param[in] ctx what drive_back_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[out] alpha azimuth drive angle, back branch, rad (heliostat-alpha_back)
  * @param[out] beta elevation drive angle, back branch, rad (heliostat-beta_back)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -628,6 +693,9 @@ int heliostat_drive_back_setup_f32(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_drive_back_f32
+ * @see heliostat_drive_back_setup_f32
  */
 int heliostat_drive_back_step_f32(
     const heliostat_drive_back_ctx_f32 *ctx, const float c[3], float *alpha, float *beta);
@@ -639,9 +707,9 @@ int heliostat_drive_back_step_f32(
  * Cost: 35 flops (22 mul, 12 add, 0 div, 1 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] alpha azimuth drive angle, front branch, rad (heliostat-alpha_drive)
  * @param[out] beta elevation drive angle, front branch: in [-pi/2, pi/2], rad
  *     (heliostat-beta_drive)
@@ -651,15 +719,23 @@ int heliostat_drive_back_step_f32(
  *   CLAMPED: the normal would lie in the blind cone: the nearest is taken
  *   SINGULAR: the normal is on the azimuth axis: alpha is 0, and the nearest pose is chi away
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away
+ * @see heliostat_drive_nearest_setup_f32
+ * @see heliostat_drive_nearest_step_f32
  */
 int heliostat_drive_nearest_f32(
     const heliostat_params_f32 *p, const float c[3], const float b[3], float *alpha, float *beta);
 
 /**
  * @brief What drive_nearest_setup hands to drive_nearest_step: 10 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of drive_nearest_setup and a mark from its end, if it did not
+ *     refuse. Without the mark drive_nearest_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x;
   float b_y;
   float b_z;
@@ -676,12 +752,16 @@ typedef struct {
  * @brief Set-up of drive_nearest: all of it that changes with the mount only.
  *
  * Cost: 2 flops (2 mul, 0 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what drive_nearest_step reads; untouched where the status is negative
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
+ * @param[out] ctx what drive_nearest_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_drive_nearest_f32
+ * @see heliostat_drive_nearest_step_f32
  */
 int heliostat_drive_nearest_setup_f32(
     const heliostat_params_f32 *p, const float b[3], heliostat_drive_nearest_ctx_f32 *ctx);
@@ -692,9 +772,9 @@ int heliostat_drive_nearest_setup_f32(
  *     the same azimuth.
  *
  * Cost: 33 flops (20 mul, 12 add, 0 div, 1 sqrt), 0 sin/cos, 2 atan2.
- * @param[in] ctx what drive_nearest_setup left, its status not negative
+ * @param[in] ctx what drive_nearest_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[out] alpha azimuth drive angle, front branch, rad (heliostat-alpha_drive)
  * @param[out] beta elevation drive angle, front branch: in [-pi/2, pi/2], rad
  *     (heliostat-beta_drive)
@@ -704,6 +784,9 @@ int heliostat_drive_nearest_setup_f32(
  *   CLAMPED: the normal would lie in the blind cone: the nearest is taken
  *   SINGULAR: the normal is on the azimuth axis: alpha is 0, and the nearest pose is chi away
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_drive_nearest_f32
+ * @see heliostat_drive_nearest_setup_f32
  */
 int heliostat_drive_nearest_step_f32(
     const heliostat_drive_nearest_ctx_f32 *ctx, const float c[3], float *alpha, float *beta);
@@ -715,13 +798,13 @@ int heliostat_drive_nearest_step_f32(
  * Cost: 43 flops (28 mul, 14 add, 0 div, 1 sqrt), 12 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] alpha azimuth drive angle that follows the sun, rad (heliostat-alpha_track)
  * @param[out] beta elevation drive angle that follows the sun, rad (heliostat-beta_track)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -730,6 +813,8 @@ int heliostat_drive_nearest_step_f32(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ * @see heliostat_track_setup_f32
+ * @see heliostat_track_step_f32
  */
 int heliostat_track_f32(
     const heliostat_params_f32 *p, float latitude, float declination, float hour_angle,
@@ -737,9 +822,14 @@ int heliostat_track_f32(
 
 /**
  * @brief What track_setup hands to track_step: 14 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of track_setup and a mark from its end, if it did not refuse.
+ *     Without the mark track_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float cos_psi;
   float sin_psi;
   float m1;
@@ -760,14 +850,18 @@ typedef struct {
  * @brief Set-up of track: all of it that changes with the mount only.
  *
  * Cost: 24 flops (18 mul, 6 add, 0 div, 0 sqrt), 8 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what track_step reads; untouched where the status is negative
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
+ * @param[out] ctx what track_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_track_f32
+ * @see heliostat_track_step_f32
  */
 int heliostat_track_setup_f32(
     const heliostat_params_f32 *p, float latitude, const float b[3], heliostat_track_ctx_f32 *ctx);
@@ -777,11 +871,11 @@ int heliostat_track_setup_f32(
  *     the horizon is followed too.
  *
  * Cost: 36 flops (22 mul, 13 add, 0 div, 1 sqrt), 4 sin/cos, 2 atan2.
- * @param[in] ctx what track_setup left, its status not negative
+ * @param[in] ctx what track_setup left; refused if it is not ready
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] alpha azimuth drive angle that follows the sun, rad (heliostat-alpha_track)
  * @param[out] beta elevation drive angle that follows the sun, rad (heliostat-beta_track)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -790,6 +884,9 @@ int heliostat_track_setup_f32(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_track_f32
+ * @see heliostat_track_setup_f32
  */
 int heliostat_track_step_f32(
     const heliostat_track_ctx_f32 *ctx, float declination, float hour_angle, float *alpha,
@@ -802,11 +899,11 @@ int heliostat_track_step_f32(
  * Cost: 73 flops (47 mul, 22 add, 3 div, 1 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] c_dot rate of the unit vector to the sun, 1/s, refused outside [-1e+06, 1e+06],
- *     working range [-1, 1]
+ *     working range [-1, 1]; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] alpha azimuth drive angle, front branch, rad (heliostat-alpha_drive)
  * @param[out] beta elevation drive angle, front branch: in [-pi/2, pi/2], rad
  *     (heliostat-beta_drive)
@@ -818,6 +915,8 @@ int heliostat_track_step_f32(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ * @see heliostat_drive_rates_setup_f32
+ * @see heliostat_drive_rates_step_f32
  */
 int heliostat_drive_rates_f32(
     const heliostat_params_f32 *p, const float c[3], const float c_dot[3], const float b[3],
@@ -825,9 +924,15 @@ int heliostat_drive_rates_f32(
 
 /**
  * @brief What drive_rates_setup hands to drive_rates_step: 11 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of drive_rates_setup and a mark from its end, if it did not
+ *     refuse. Without the mark drive_rates_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x;
   float b_y;
   float b_z;
@@ -845,12 +950,16 @@ typedef struct {
  * @brief Set-up of drive_rates: all of it that changes with the mount only.
  *
  * Cost: 2 flops (2 mul, 0 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what drive_rates_step reads; untouched where the status is negative
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
+ * @param[out] ctx what drive_rates_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_drive_rates_f32
+ * @see heliostat_drive_rates_step_f32
  */
 int heliostat_drive_rates_setup_f32(
     const heliostat_params_f32 *p, const float b[3], heliostat_drive_rates_ctx_f32 *ctx);
@@ -860,11 +969,11 @@ int heliostat_drive_rates_setup_f32(
  *     held. To face the sun itself, b = c, give twice its rate.
  *
  * Cost: 71 flops (45 mul, 22 add, 3 div, 1 sqrt), 0 sin/cos, 2 atan2.
- * @param[in] ctx what drive_rates_setup left, its status not negative
+ * @param[in] ctx what drive_rates_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] c_dot rate of the unit vector to the sun, 1/s, refused outside [-1e+06, 1e+06],
- *     working range [-1, 1]
+ *     working range [-1, 1]; each tick
  * @param[out] alpha azimuth drive angle, front branch, rad (heliostat-alpha_drive)
  * @param[out] beta elevation drive angle, front branch: in [-pi/2, pi/2], rad
  *     (heliostat-beta_drive)
@@ -876,6 +985,9 @@ int heliostat_drive_rates_setup_f32(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_drive_rates_f32
+ * @see heliostat_drive_rates_setup_f32
  */
 int heliostat_drive_rates_step_f32(
     const heliostat_drive_rates_ctx_f32 *ctx, const float c[3], const float c_dot[3],
@@ -889,9 +1001,9 @@ int heliostat_drive_rates_step_f32(
  * Cost: 64 flops (42 mul, 18 add, 3 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] J derivatives of (alpha, beta) by (theta, psi, chi), a row a drive, 2 by 3,
  *     row-major (heliostat-J)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -900,15 +1012,23 @@ int heliostat_drive_rates_step_f32(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ * @see heliostat_drive_sensitivity_setup_f32
+ * @see heliostat_drive_sensitivity_step_f32
  */
 int heliostat_drive_sensitivity_f32(
     const heliostat_params_f32 *p, const float c[3], const float b[3], float J[6]);
 
 /**
  * @brief What drive_sensitivity_setup hands to drive_sensitivity_step: 14 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of drive_sensitivity_setup and a mark from its end, if it did
+ *     not refuse. Without the mark drive_sensitivity_step answers ARMILLARY_OUT_OF_RANGE and
+ *     writes nothing: a machine does not go on with a mount that was never told, or that was
+ *     told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x;
   float b_y;
   float b_z;
@@ -929,12 +1049,16 @@ typedef struct {
  * @brief Set-up of drive_sensitivity: all of it that changes with the mount only.
  *
  * Cost: 5 flops (4 mul, 0 add, 1 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what drive_sensitivity_step reads; untouched where the status is negative
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
+ * @param[out] ctx what drive_sensitivity_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_drive_sensitivity_f32
+ * @see heliostat_drive_sensitivity_step_f32
  */
 int heliostat_drive_sensitivity_setup_f32(
     const heliostat_params_f32 *p, const float b[3], heliostat_drive_sensitivity_ctx_f32 *ctx);
@@ -945,9 +1069,9 @@ int heliostat_drive_sensitivity_setup_f32(
  *     it by at most 1 / cos(beta)^2, relative to its largest entry.
  *
  * Cost: 59 flops (38 mul, 18 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * @param[in] ctx what drive_sensitivity_setup left, its status not negative
+ * @param[in] ctx what drive_sensitivity_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[out] J derivatives of (alpha, beta) by (theta, psi, chi), a row a drive, 2 by 3,
  *     row-major (heliostat-J)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -956,6 +1080,9 @@ int heliostat_drive_sensitivity_setup_f32(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_drive_sensitivity_f32
+ * @see heliostat_drive_sensitivity_setup_f32
  */
 int heliostat_drive_sensitivity_step_f32(
     const heliostat_drive_sensitivity_ctx_f32 *ctx, const float c[3], float J[6]);
@@ -968,9 +1095,9 @@ int heliostat_drive_sensitivity_step_f32(
  * Cost: 92 flops (62 mul, 26 add, 3 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] J_c derivatives of (alpha, beta) by the east, north and up components of b, and of
  *     c, 2 by 3, row-major (heliostat-response)
  * @param[out] J_b derivatives of (alpha, beta) by the east, north and up components of b, and of
@@ -981,15 +1108,23 @@ int heliostat_drive_sensitivity_step_f32(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ * @see heliostat_drive_response_setup_f32
+ * @see heliostat_drive_response_step_f32
  */
 int heliostat_drive_response_f32(
     const heliostat_params_f32 *p, const float c[3], const float b[3], float J_c[6], float J_b[6]);
 
 /**
  * @brief What drive_response_setup hands to drive_response_step: 11 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of drive_response_setup and a mark from its end, if it did not
+ *     refuse. Without the mark drive_response_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x;
   float b_y;
   float b_z;
@@ -1007,12 +1142,16 @@ typedef struct {
  * @brief Set-up of drive_response: all of it that changes with the mount only.
  *
  * Cost: 2 flops (2 mul, 0 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what drive_response_step reads; untouched where the status is negative
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
+ * @param[out] ctx what drive_response_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_drive_response_f32
+ * @see heliostat_drive_response_step_f32
  */
 int heliostat_drive_response_setup_f32(
     const heliostat_params_f32 *p, const float b[3], heliostat_drive_response_ctx_f32 *ctx);
@@ -1023,9 +1162,9 @@ int heliostat_drive_response_setup_f32(
  *     rounded grows in it by at most 1 / cos(beta)^2, relative to its largest entry.
  *
  * Cost: 90 flops (60 mul, 26 add, 3 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * @param[in] ctx what drive_response_setup left, its status not negative
+ * @param[in] ctx what drive_response_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[out] J_c derivatives of (alpha, beta) by the east, north and up components of b, and of
  *     c, 2 by 3, row-major (heliostat-response)
  * @param[out] J_b derivatives of (alpha, beta) by the east, north and up components of b, and of
@@ -1036,6 +1175,9 @@ int heliostat_drive_response_setup_f32(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_drive_response_f32
+ * @see heliostat_drive_response_setup_f32
  */
 int heliostat_drive_response_step_f32(
     const heliostat_drive_response_ctx_f32 *ctx, const float c[3], float J_c[6], float J_b[6]);
@@ -1049,9 +1191,9 @@ int heliostat_drive_response_step_f32(
  * Cost: 24 flops (12 mul, 10 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] alpha azimuth drive angle to first order; not brought back into [-pi, pi], rad
  *     (heliostat-alpha_first)
  * @param[out] beta elevation drive angle to first order, rad (heliostat-beta_first)
@@ -1065,56 +1207,6 @@ int heliostat_drive_first_order_f32(
     const heliostat_params_f32 *p, const float c[3], const float b[3], float *alpha, float *beta);
 
 /**
- * @brief What drive_first_order_setup hands to drive_first_order_step: 6 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  float b_x;
-  float b_y;
-  float b_z;
-  float theta;
-  float psi;
-  float chi;
-} heliostat_drive_first_order_ctx_f32;
-
-/**
- * @brief Set-up of drive_first_order: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters; not read: alpha_0, beta_0, collimation
- * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what drive_first_order_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int heliostat_drive_first_order_setup_f32(
-    const heliostat_params_f32 *p, const float b[3], heliostat_drive_first_order_ctx_f32 *ctx);
-
-/**
- * @brief Step of drive_first_order. Drive angles to first order in theta, psi and chi; alpha is
- *     not brought back into [-pi, pi]. All three of 10 mrad and normals up to 60 degrees high:
- *     alpha is off by at most 0.9 mrad, beta by 0.2; all three of 0.3 rad, up to 45 degrees: by
- *     0.75 and 0.16 rad. Towards the zenith the error grows without end, and the blind cone is
- *     not told.
- *
- * Cost: 24 flops (12 mul, 10 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2.
- * @param[in] ctx what drive_first_order_setup left, its status not negative
- * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
- * @param[out] alpha azimuth drive angle to first order; not brought back into [-pi, pi], rad
- *     (heliostat-alpha_first)
- * @param[out] beta elevation drive angle to first order, rad (heliostat-beta_first)
- * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
- *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: b = -c within 1e-6: no normal is singled out
- *   SINGULAR: the normal is within 1e-6 of the zenith or the nadir: alpha is 0, nothing is
- *     corrected
- */
-int heliostat_drive_first_order_step_f32(
-    const heliostat_drive_first_order_ctx_f32 *ctx, const float c[3], float *alpha, float *beta);
-
-/**
  * @brief Drive angles to second order in theta, psi and chi; alpha is not brought back into
  *     [-pi, pi]. All three of 10 mrad and normals up to 60 degrees high: alpha is off by at most
  *     0.02 mrad, beta by 0.003; all three of 0.3 rad, up to 45 degrees: by 0.43 and 0.11 rad.
@@ -1123,9 +1215,9 @@ int heliostat_drive_first_order_step_f32(
  * Cost: 41 flops (22 mul, 17 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] alpha azimuth drive angle to second order; not brought back into [-pi, pi], rad
  *     (heliostat-alpha_second)
  * @param[out] beta elevation drive angle to second order, rad (heliostat-beta_second)
@@ -1134,15 +1226,23 @@ int heliostat_drive_first_order_step_f32(
  *   UNREACHABLE: b = -c within 1e-6: no normal is singled out
  *   SINGULAR: the normal is within 1e-6 of the zenith or the nadir: alpha is 0, nothing is
  *     corrected
+ * @see heliostat_drive_second_order_setup_f32
+ * @see heliostat_drive_second_order_step_f32
  */
 int heliostat_drive_second_order_f32(
     const heliostat_params_f32 *p, const float c[3], const float b[3], float *alpha, float *beta);
 
 /**
  * @brief What drive_second_order_setup hands to drive_second_order_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of drive_second_order_setup and a mark from its end, if it did
+ *     not refuse. Without the mark drive_second_order_step answers ARMILLARY_OUT_OF_RANGE and
+ *     writes nothing: a machine does not go on with a mount that was never told, or that was
+ *     told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x;
   float b_y;
   float b_z;
@@ -1157,12 +1257,16 @@ typedef struct {
  * @brief Set-up of drive_second_order: all of it that changes with the mount only.
  *
  * Cost: 3 flops (3 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what drive_second_order_step reads; untouched where the status is negative
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
+ * @param[out] ctx what drive_second_order_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_drive_second_order_f32
+ * @see heliostat_drive_second_order_step_f32
  */
 int heliostat_drive_second_order_setup_f32(
     const heliostat_params_f32 *p, const float b[3], heliostat_drive_second_order_ctx_f32 *ctx);
@@ -1175,9 +1279,9 @@ int heliostat_drive_second_order_setup_f32(
  *     blind cone is not told.
  *
  * Cost: 38 flops (19 mul, 17 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2.
- * @param[in] ctx what drive_second_order_setup left, its status not negative
+ * @param[in] ctx what drive_second_order_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[out] alpha azimuth drive angle to second order; not brought back into [-pi, pi], rad
  *     (heliostat-alpha_second)
  * @param[out] beta elevation drive angle to second order, rad (heliostat-beta_second)
@@ -1186,6 +1290,9 @@ int heliostat_drive_second_order_setup_f32(
  *   UNREACHABLE: b = -c within 1e-6: no normal is singled out
  *   SINGULAR: the normal is within 1e-6 of the zenith or the nadir: alpha is 0, nothing is
  *     corrected
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_drive_second_order_f32
+ * @see heliostat_drive_second_order_setup_f32
  */
 int heliostat_drive_second_order_step_f32(
     const heliostat_drive_second_order_ctx_f32 *ctx, const float c[3], float *alpha, float *beta);
@@ -1196,9 +1303,9 @@ int heliostat_drive_second_order_step_f32(
  * Cost: 54 flops (34 mul, 18 add, 0 div, 2 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] Delta_A error of the azimuth drive if the axes are taken as ideal, in [-pi, pi],
  *     rad (heliostat-Delta_A)
  * @param[out] Delta_h error of the elevation drive if the axes are taken as ideal, in [-pi, pi],
@@ -1211,6 +1318,8 @@ int heliostat_drive_second_order_step_f32(
  *     0
  *   SINGULAR: the normal is within 1e-6 of the zenith or the nadir: alpha of ideal axes counts
  *     as 0
+ * @see heliostat_error_angles_setup_f32
+ * @see heliostat_error_angles_step_f32
  */
 int heliostat_error_angles_f32(
     const heliostat_params_f32 *p, const float c[3], const float b[3], float *Delta_A,
@@ -1218,9 +1327,15 @@ int heliostat_error_angles_f32(
 
 /**
  * @brief What error_angles_setup hands to error_angles_step: 10 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of error_angles_setup and a mark from its end, if it did not
+ *     refuse. Without the mark error_angles_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x;
   float b_y;
   float b_z;
@@ -1237,12 +1352,16 @@ typedef struct {
  * @brief Set-up of error_angles: all of it that changes with the mount only.
  *
  * Cost: 2 flops (2 mul, 0 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what error_angles_step reads; untouched where the status is negative
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
+ * @param[out] ctx what error_angles_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_error_angles_f32
+ * @see heliostat_error_angles_step_f32
  */
 int heliostat_error_angles_setup_f32(
     const heliostat_params_f32 *p, const float b[3], heliostat_error_angles_ctx_f32 *ctx);
@@ -1251,9 +1370,9 @@ int heliostat_error_angles_setup_f32(
  * @brief Step of error_angles. Drive angles for ideal axes minus those for the real ones.
  *
  * Cost: 52 flops (32 mul, 18 add, 0 div, 2 sqrt), 0 sin/cos, 2 atan2.
- * @param[in] ctx what error_angles_setup left, its status not negative
+ * @param[in] ctx what error_angles_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[out] Delta_A error of the azimuth drive if the axes are taken as ideal, in [-pi, pi],
  *     rad (heliostat-Delta_A)
  * @param[out] Delta_h error of the elevation drive if the axes are taken as ideal, in [-pi, pi],
@@ -1266,6 +1385,9 @@ int heliostat_error_angles_setup_f32(
  *     0
  *   SINGULAR: the normal is within 1e-6 of the zenith or the nadir: alpha of ideal axes counts
  *     as 0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_error_angles_f32
+ * @see heliostat_error_angles_setup_f32
  */
 int heliostat_error_angles_step_f32(
     const heliostat_error_angles_ctx_f32 *ctx, const float c[3], float *Delta_A, float *Delta_h);
@@ -1276,13 +1398,15 @@ int heliostat_error_angles_step_f32(
  * Cost: 24 flops (16 mul, 6 add, 0 div, 2 sqrt), 8 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: theta, alpha_0, beta_0, collimation
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] e_theta shift of the normal per unit of theta, drives held (heliostat-e_theta)
  * @param[out] e_psi shift of the normal per unit of psi, drives held (heliostat-e_psi)
  * @param[out] e_chi shift of the normal per unit of chi, drives held (heliostat-e_chi)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_normal_errors_setup_f32
+ * @see heliostat_normal_errors_step_f32
  */
 int heliostat_normal_errors_f32(
     const heliostat_params_f32 *p, float alpha, float beta, float *e_theta, float *e_psi,
@@ -1290,9 +1414,15 @@ int heliostat_normal_errors_f32(
 
 /**
  * @brief What normal_errors_setup hands to normal_errors_step: 6 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of normal_errors_setup and a mark from its end, if it did not
+ *     refuse. Without the mark normal_errors_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float sin_chi;
   float cos_chi;
   float m1;
@@ -1305,10 +1435,14 @@ typedef struct {
  * @brief Set-up of normal_errors: all of it that changes with the mount only.
  *
  * Cost: 3 flops (3 mul, 0 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: theta, alpha_0, beta_0, collimation
- * @param[out] ctx what normal_errors_step reads; untouched where the status is negative
+ * @param[out] ctx what normal_errors_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_normal_errors_f32
+ * @see heliostat_normal_errors_step_f32
  */
 int heliostat_normal_errors_setup_f32(
     const heliostat_params_f32 *p, heliostat_normal_errors_ctx_f32 *ctx);
@@ -1318,15 +1452,18 @@ int heliostat_normal_errors_setup_f32(
  *     held.
  *
  * Cost: 21 flops (13 mul, 6 add, 0 div, 2 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what normal_errors_setup left, its status not negative
+ * @param[in] ctx what normal_errors_setup left; refused if it is not ready
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] e_theta shift of the normal per unit of theta, drives held (heliostat-e_theta)
  * @param[out] e_psi shift of the normal per unit of psi, drives held (heliostat-e_psi)
  * @param[out] e_chi shift of the normal per unit of chi, drives held (heliostat-e_chi)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_normal_errors_f32
+ * @see heliostat_normal_errors_setup_f32
  */
 int heliostat_normal_errors_step_f32(
     const heliostat_normal_errors_ctx_f32 *ctx, float alpha, float beta, float *e_theta,
@@ -1339,9 +1476,9 @@ int heliostat_normal_errors_step_f32(
  * Cost: 35 flops (23 mul, 11 add, 0 div, 1 sqrt), 9 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: theta, psi
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] alpha_reading reading of the azimuth encoder, rad (heliostat-alpha_encoder)
  * @param[out] beta_reading reading of the elevation encoder, rad (heliostat-beta_encoder)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -1349,6 +1486,8 @@ int heliostat_normal_errors_step_f32(
  *   UNREACHABLE: the true normal cannot be brought there
  *   SINGULAR: the cosine of the elevation drive is below 1e-6: the azimuth drive runs away; on
  *     its own axis 0 is returned for it, not the angle that was given
+ * @see heliostat_encoder_setup_f32
+ * @see heliostat_encoder_step_f32
  */
 int heliostat_encoder_f32(
     const heliostat_params_f32 *p, float alpha, float beta, float *alpha_reading,
@@ -1356,9 +1495,14 @@ int heliostat_encoder_f32(
 
 /**
  * @brief What encoder_setup hands to encoder_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of encoder_setup and a mark from its end, if it did not refuse.
+ *     Without the mark encoder_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float sin_chi;
   float cos_chi;
   float alpha_0;
@@ -1373,10 +1517,14 @@ typedef struct {
  * @brief Set-up of encoder: all of it that changes with the mount only.
  *
  * Cost: 2 flops (2 mul, 0 add, 0 div, 0 sqrt), 5 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: theta, psi
- * @param[out] ctx what encoder_step reads; untouched where the status is negative
+ * @param[out] ctx what encoder_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_encoder_f32
+ * @see heliostat_encoder_step_f32
  */
 int heliostat_encoder_setup_f32(const heliostat_params_f32 *p, heliostat_encoder_ctx_f32 *ctx);
 
@@ -1385,11 +1533,11 @@ int heliostat_encoder_setup_f32(const heliostat_params_f32 *p, heliostat_encoder
  *     beta would point the mirror's first axis.
  *
  * Cost: 33 flops (21 mul, 11 add, 0 div, 1 sqrt), 4 sin/cos, 2 atan2.
- * @param[in] ctx what encoder_setup left, its status not negative
+ * @param[in] ctx what encoder_setup left; refused if it is not ready
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] alpha_reading reading of the azimuth encoder, rad (heliostat-alpha_encoder)
  * @param[out] beta_reading reading of the elevation encoder, rad (heliostat-beta_encoder)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -1397,6 +1545,9 @@ int heliostat_encoder_setup_f32(const heliostat_params_f32 *p, heliostat_encoder
  *   UNREACHABLE: the true normal cannot be brought there
  *   SINGULAR: the cosine of the elevation drive is below 1e-6: the azimuth drive runs away; on
  *     its own axis 0 is returned for it, not the angle that was given
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_encoder_f32
+ * @see heliostat_encoder_setup_f32
  */
 int heliostat_encoder_step_f32(
     const heliostat_encoder_ctx_f32 *ctx, float alpha, float beta, float *alpha_reading,
@@ -1408,9 +1559,9 @@ int heliostat_encoder_step_f32(
  * Cost: 32 flops (21 mul, 10 add, 0 div, 1 sqrt), 8 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: theta, psi
  * @param[in] alpha_reading reading of the azimuth encoder, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta_reading reading of the elevation encoder, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[out] alpha azimuth drive angle from the readings, rad (heliostat-alpha_decoded)
  * @param[out] beta elevation drive angle from the readings, rad (heliostat-beta_decoded)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -1418,6 +1569,8 @@ int heliostat_encoder_step_f32(
  *   UNREACHABLE: no drive angles without collimation error do the same
  *   SINGULAR: the cosine of the elevation drive is below 1e-6: the azimuth drive runs away; on
  *     its own axis 0 is returned for it, not the angle that was given
+ * @see heliostat_encoder_inverse_setup_f32
+ * @see heliostat_encoder_inverse_step_f32
  */
 int heliostat_encoder_inverse_f32(
     const heliostat_params_f32 *p, float alpha_reading, float beta_reading, float *alpha,
@@ -1425,9 +1578,15 @@ int heliostat_encoder_inverse_f32(
 
 /**
  * @brief What encoder_inverse_setup hands to encoder_inverse_step: 9 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of encoder_inverse_setup and a mark from its end, if it did not
+ *     refuse. Without the mark encoder_inverse_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float beta_0;
   float cos_collimation;
   float sin_chi;
@@ -1443,10 +1602,14 @@ typedef struct {
  * @brief Set-up of encoder_inverse: all of it that changes with the mount only.
  *
  * Cost: 4 flops (4 mul, 0 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: theta, psi
- * @param[out] ctx what encoder_inverse_step reads; untouched where the status is negative
+ * @param[out] ctx what encoder_inverse_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_encoder_inverse_f32
+ * @see heliostat_encoder_inverse_step_f32
  */
 int heliostat_encoder_inverse_setup_f32(
     const heliostat_params_f32 *p, heliostat_encoder_inverse_ctx_f32 *ctx);
@@ -1455,11 +1618,11 @@ int heliostat_encoder_inverse_setup_f32(
  * @brief Step of encoder_inverse. The drive angles that the readings stand for.
  *
  * Cost: 28 flops (17 mul, 10 add, 0 div, 1 sqrt), 4 sin/cos, 2 atan2.
- * @param[in] ctx what encoder_inverse_setup left, its status not negative
+ * @param[in] ctx what encoder_inverse_setup left; refused if it is not ready
  * @param[in] alpha_reading reading of the azimuth encoder, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta_reading reading of the elevation encoder, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[out] alpha azimuth drive angle from the readings, rad (heliostat-alpha_decoded)
  * @param[out] beta elevation drive angle from the readings, rad (heliostat-beta_decoded)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -1467,6 +1630,9 @@ int heliostat_encoder_inverse_setup_f32(
  *   UNREACHABLE: no drive angles without collimation error do the same
  *   SINGULAR: the cosine of the elevation drive is below 1e-6: the azimuth drive runs away; on
  *     its own axis 0 is returned for it, not the angle that was given
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_encoder_inverse_f32
+ * @see heliostat_encoder_inverse_setup_f32
  */
 int heliostat_encoder_inverse_step_f32(
     const heliostat_encoder_inverse_ctx_f32 *ctx, float alpha_reading, float beta_reading,
@@ -1497,9 +1663,9 @@ int heliostat_pointing_terms_f32(
  * Cost: 14 flops (7 mul, 6 add, 1 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] azimuth azimuth of the normal from north, clockwise, rad, refused outside [-1000,
- *     1000], working range [-3.2, 6.3]
+ *     1000], working range [-3.2, 6.3]; each tick
  * @param[in] elevation elevation of the normal above the horizon, rad, refused outside [-3.15,
- *     3.15], working range [-1.5, 1.5]
+ *     3.15], working range [-1.5, 1.5]; each tick
  * @param[out] delta_azimuth reading of the azimuth minus the azimuth, to first order, rad
  *     (heliostat-delta_azimuth)
  * @param[out] delta_elevation reading of the elevation minus the elevation, to first order, rad
@@ -1511,57 +1677,9 @@ int heliostat_pointing_f32(
     const heliostat_params_f32 *p, float azimuth, float elevation, float *delta_azimuth,
     float *delta_elevation);
 
-/**
- * @brief What pointing_setup hands to pointing_step: 6 numbers.
- * Its fields may change from version to version.
- * It holds heliostat-AN, heliostat-NPAE, heliostat-CA, heliostat-IA, heliostat-IE.
- */
-typedef struct {
-  float AN;
-  float NPAE;
-  float psi;
-  float CA;
-  float IA;
-  float IE;
-} heliostat_pointing_ctx_f32;
-
-/**
- * @brief Set-up of pointing: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters
- * @param[out] ctx what pointing_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int heliostat_pointing_setup_f32(const heliostat_params_f32 *p, heliostat_pointing_ctx_f32 *ctx);
-
-/**
- * @brief Step of pointing. Reading minus azimuth and elevation of the normal, to first order in
- *     all six errors; the azimuth that is read is alpha_reading + pi. All errors of 10 mrad: off
- *     by at most 1.4 and 0.4 mrad up to 60 degrees high; of 0.3 rad: by 0.9 and 0.5 rad up to 30
- *     degrees.
- *
- * Cost: 14 flops (7 mul, 6 add, 1 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what pointing_setup left, its status not negative
- * @param[in] azimuth azimuth of the normal from north, clockwise, rad, refused outside [-1000,
- *     1000], working range [-3.2, 6.3]
- * @param[in] elevation elevation of the normal above the horizon, rad, refused outside [-3.15,
- *     3.15], working range [-1.5, 1.5]
- * @param[out] delta_azimuth reading of the azimuth minus the azimuth, to first order, rad
- *     (heliostat-delta_azimuth)
- * @param[out] delta_elevation reading of the elevation minus the elevation, to first order, rad
- *     (heliostat-delta_elevation)
- * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   SINGULAR: the normal is within 1e-6 of the zenith or the nadir: delta_azimuth is IA alone
- */
-int heliostat_pointing_step_f32(
-    const heliostat_pointing_ctx_f32 *ctx, float azimuth, float elevation, float *delta_azimuth,
-    float *delta_elevation);
-
 #if DBL_MANT_DIG >= 53
 
-/** Parameters of the heliostat system. */
+/** Parameters of the heliostat system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** Lean of the azimuth axis to the north, rad, refused outside [-1000, 1000], working range
       [-0.3, 0.3]. */
@@ -1589,19 +1707,26 @@ typedef struct {
  * Cost: 20 flops (14 mul, 6 add, 0 div, 0 sqrt), 10 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] n unit normal of the mirror for given drive angles (heliostat-normal)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_normal_setup_f64
+ * @see heliostat_normal_step_f64
  */
 int heliostat_normal_f64(const heliostat_params_f64 *p, double alpha, double beta, double n[3]);
 
 /**
  * @brief What normal_setup hands to normal_step: 6 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of normal_setup and a mark from its end, if it did not refuse.
+ *     Without the mark normal_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double sin_chi;
   double cos_chi;
   double cos_psi;
@@ -1614,10 +1739,14 @@ typedef struct {
  * @brief Set-up of normal: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
- * @param[out] ctx what normal_step reads; untouched where the status is negative
+ * @param[out] ctx what normal_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_normal_f64
+ * @see heliostat_normal_step_f64
  */
 int heliostat_normal_setup_f64(const heliostat_params_f64 *p, heliostat_normal_ctx_f64 *ctx);
 
@@ -1625,13 +1754,16 @@ int heliostat_normal_setup_f64(const heliostat_params_f64 *p, heliostat_normal_c
  * @brief Step of normal. Unit normal of the mirror for given drive angles.
  *
  * Cost: 20 flops (14 mul, 6 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what normal_setup left, its status not negative
+ * @param[in] ctx what normal_setup left; refused if it is not ready
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] n unit normal of the mirror for given drive angles (heliostat-normal)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_normal_f64
+ * @see heliostat_normal_setup_f64
  */
 int heliostat_normal_step_f64(
     const heliostat_normal_ctx_f64 *ctx, double alpha, double beta, double n[3]);
@@ -1642,11 +1774,11 @@ int heliostat_normal_step_f64(
  * Cost: 22 flops (18 mul, 4 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] L_R_E rotation of equatorial components into local ones, 3 by 3, row-major
  *     (heliostat-L_R_E)
  * @param[out] I_R_L rotation of local components into those of the azimuth axis, 3 by 3,
@@ -1654,6 +1786,8 @@ int heliostat_normal_step_f64(
  * @param[out] H_R_I rotation of components of the azimuth axis into the mirror's, 3 by 3,
  *     row-major (heliostat-H_R_I)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_chain_setup_f64
+ * @see heliostat_chain_step_f64
  */
 int heliostat_chain_f64(
     const heliostat_params_f64 *p, double latitude, double alpha, double beta, double L_R_E[9],
@@ -1661,10 +1795,15 @@ int heliostat_chain_f64(
 
 /**
  * @brief What chain_setup hands to chain_step: 12 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of chain_setup and a mark from its end, if it did not refuse.
+ *     Without the mark chain_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds heliostat-L_R_E, heliostat-I_R_L.
  */
 typedef struct {
+  volatile unsigned long ready;
   double cos_chi;
   double sin_chi;
   double L_R_E_11;
@@ -1683,12 +1822,16 @@ typedef struct {
  * @brief Set-up of chain: all of it that changes with the mount only.
  *
  * Cost: 4 flops (4 mul, 0 add, 0 div, 0 sqrt), 8 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
- * @param[out] ctx what chain_step reads; untouched where the status is negative
+ *     working range [-1.5708, 1.5708]; held by the mount
+ * @param[out] ctx what chain_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_chain_f64
+ * @see heliostat_chain_step_f64
  */
 int heliostat_chain_setup_f64(
     const heliostat_params_f64 *p, double latitude, heliostat_chain_ctx_f64 *ctx);
@@ -1697,11 +1840,11 @@ int heliostat_chain_setup_f64(
  * @brief Step of chain. Rotations from the equator to the mirror, in the paper's axes.
  *
  * Cost: 18 flops (14 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what chain_setup left, its status not negative
+ * @param[in] ctx what chain_setup left; refused if it is not ready
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] L_R_E rotation of equatorial components into local ones, 3 by 3, row-major
  *     (heliostat-L_R_E)
  * @param[out] I_R_L rotation of local components into those of the azimuth axis, 3 by 3,
@@ -1709,6 +1852,9 @@ int heliostat_chain_setup_f64(
  * @param[out] H_R_I rotation of components of the azimuth axis into the mirror's, 3 by 3,
  *     row-major (heliostat-H_R_I)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_chain_f64
+ * @see heliostat_chain_setup_f64
  */
 int heliostat_chain_step_f64(
     const heliostat_chain_ctx_f64 *ctx, double alpha, double beta, double L_R_E[9],
@@ -1722,11 +1868,11 @@ int heliostat_chain_step_f64(
  * Cost: 14 flops (10 mul, 4 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] L_R_E rotation of equatorial components into local ones, 3 by 3, row-major
  *     (heliostat-L_R_E)
  * @param[out] I_R_L rotation of local components into those of the azimuth axis, to first order,
@@ -1734,6 +1880,8 @@ int heliostat_chain_step_f64(
  * @param[out] H_R_I rotation of components of the azimuth axis into the mirror's, to first
  *     order, 3 by 3, row-major (heliostat-H_R_I_1)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_chain_first_order_setup_f64
+ * @see heliostat_chain_first_order_step_f64
  */
 int heliostat_chain_first_order_f64(
     const heliostat_params_f64 *p, double latitude, double alpha, double beta, double L_R_E[9],
@@ -1741,10 +1889,16 @@ int heliostat_chain_first_order_f64(
 
 /**
  * @brief What chain_first_order_setup hands to chain_first_order_step: 5 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of chain_first_order_setup and a mark from its end, if it did
+ *     not refuse. Without the mark chain_first_order_step answers ARMILLARY_OUT_OF_RANGE and
+ *     writes nothing: a machine does not go on with a mount that was never told, or that was
+ *     told wrong.
  * It holds heliostat-L_R_E, heliostat-I_R_L_1.
  */
 typedef struct {
+  volatile unsigned long ready;
   double chi;
   double L_R_E_11;
   double L_R_E_31;
@@ -1756,12 +1910,16 @@ typedef struct {
  * @brief Set-up of chain_first_order: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
- * @param[out] ctx what chain_first_order_step reads; untouched where the status is negative
+ *     working range [-1.5708, 1.5708]; held by the mount
+ * @param[out] ctx what chain_first_order_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_chain_first_order_f64
+ * @see heliostat_chain_first_order_step_f64
  */
 int heliostat_chain_first_order_setup_f64(
     const heliostat_params_f64 *p, double latitude, heliostat_chain_first_order_ctx_f64 *ctx);
@@ -1773,11 +1931,11 @@ int heliostat_chain_first_order_setup_f64(
  *     0.3 rad.
  *
  * Cost: 14 flops (10 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what chain_first_order_setup left, its status not negative
+ * @param[in] ctx what chain_first_order_setup left; refused if it is not ready
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] L_R_E rotation of equatorial components into local ones, 3 by 3, row-major
  *     (heliostat-L_R_E)
  * @param[out] I_R_L rotation of local components into those of the azimuth axis, to first order,
@@ -1785,6 +1943,9 @@ int heliostat_chain_first_order_setup_f64(
  * @param[out] H_R_I rotation of components of the azimuth axis into the mirror's, to first
  *     order, 3 by 3, row-major (heliostat-H_R_I_1)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_chain_first_order_f64
+ * @see heliostat_chain_first_order_setup_f64
  */
 int heliostat_chain_first_order_step_f64(
     const heliostat_chain_first_order_ctx_f64 *ctx, double alpha, double beta, double L_R_E[9],
@@ -1796,9 +1957,9 @@ int heliostat_chain_first_order_step_f64(
  * Cost: 18 flops (9 mul, 7 add, 1 div, 1 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] n unit normal that sends the sun to the receiver (heliostat-wanted)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: b = -c within 1e-6: no normal is singled out
@@ -1807,52 +1968,14 @@ int heliostat_bisector_f64(
     const heliostat_params_f64 *p, const double c[3], const double b[3], double n[3]);
 
 /**
- * @brief What bisector_setup hands to bisector_step: 3 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  double b_x;
-  double b_y;
-  double b_z;
-} heliostat_bisector_ctx_f64;
-
-/**
- * @brief Set-up of bisector: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters; none of them is read
- * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what bisector_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int heliostat_bisector_setup_f64(
-    const heliostat_params_f64 *p, const double b[3], heliostat_bisector_ctx_f64 *ctx);
-
-/**
- * @brief Step of bisector. Unit normal that sends the sun to the receiver.
- *
- * Cost: 18 flops (9 mul, 7 add, 1 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * @param[in] ctx what bisector_setup left, its status not negative
- * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
- * @param[out] n unit normal that sends the sun to the receiver (heliostat-wanted)
- * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: b = -c within 1e-6: no normal is singled out
- */
-int heliostat_bisector_step_f64(
-    const heliostat_bisector_ctx_f64 *ctx, const double c[3], double n[3]);
-
-/**
  * @brief Where a mirror of a given normal sends the sun.
  *
  * Cost: 12 flops (7 mul, 5 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] n unit normal of the mirror, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[out] b direction of the reflected beam for a given normal (heliostat-b_reflected)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -1865,22 +1988,29 @@ int heliostat_reflect_f64(
  * Cost: 32 flops (21 mul, 11 add, 0 div, 0 sqrt), 10 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] b direction of the reflected beam for given drive angles (heliostat-b_beam)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_beam_setup_f64
+ * @see heliostat_beam_step_f64
  */
 int heliostat_beam_f64(
     const heliostat_params_f64 *p, const double c[3], double alpha, double beta, double b[3]);
 
 /**
  * @brief What beam_setup hands to beam_step: 6 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of beam_setup and a mark from its end, if it did not refuse.
+ *     Without the mark beam_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double sin_chi;
   double cos_chi;
   double cos_psi;
@@ -1893,10 +2023,14 @@ typedef struct {
  * @brief Set-up of beam: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
- * @param[out] ctx what beam_step reads; untouched where the status is negative
+ * @param[out] ctx what beam_step reads; not ready where the status is negative, whatever it held
+ *     before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_beam_f64
+ * @see heliostat_beam_step_f64
  */
 int heliostat_beam_setup_f64(const heliostat_params_f64 *p, heliostat_beam_ctx_f64 *ctx);
 
@@ -1904,15 +2038,18 @@ int heliostat_beam_setup_f64(const heliostat_params_f64 *p, heliostat_beam_ctx_f
  * @brief Step of beam. Where the mirror sends the sun, for given drive angles.
  *
  * Cost: 32 flops (21 mul, 11 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what beam_setup left, its status not negative
+ * @param[in] ctx what beam_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] b direction of the reflected beam for given drive angles (heliostat-b_beam)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_beam_f64
+ * @see heliostat_beam_setup_f64
  */
 int heliostat_beam_step_f64(
     const heliostat_beam_ctx_f64 *ctx, const double c[3], double alpha, double beta, double b[3]);
@@ -1923,9 +2060,9 @@ int heliostat_beam_step_f64(
  * Cost: 13 flops (6 mul, 5 add, 1 div, 1 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] position where the mirror stands, m, refused outside [-1e+06, 1e+06], working range
- *     [-1000, 1000]
+ *     [-1000, 1000]; held by the mount
  * @param[in] aim_point point of the receiver to be lit, m, refused outside [-1e+06, 1e+06],
- *     working range [-1000, 1000]
+ *     working range [-1000, 1000]; held by the mount
  * @param[out] b unit vector from the mirror to the aim point (heliostat-b_target)
  * @param[out] distance distance from the mirror to the aim point, m (heliostat-distance)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -1942,32 +2079,39 @@ int heliostat_target_f64(
  * Cost: 64 flops (38 mul, 23 add, 1 div, 2 sqrt), 10 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] position where the mirror stands, m, refused outside [-1e+06, 1e+06], working range
- *     [-1000, 1000]
+ *     [-1000, 1000]; held by the mount
  * @param[in] aim_point point of the receiver to be lit, m, refused outside [-1e+06, 1e+06],
- *     working range [-1000, 1000]
+ *     working range [-1000, 1000]; held by the mount
  * @param[out] miss distance from the aim point at which the beam meets the plane that faces the
  *     mirror, m (heliostat-miss)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the aim point lies on the mirror, within 1e-6 m
  *   UNREACHABLE: the beam leaves across the way, or backwards
  *   UNREACHABLE: the sun stands behind the mirror
+ * @see heliostat_miss_setup_f64
+ * @see heliostat_miss_step_f64
  */
 int heliostat_miss_f64(
     const heliostat_params_f64 *p, const double c[3], double alpha, double beta,
     const double position[3], const double aim_point[3], double *miss);
 
 /**
- * @brief What miss_setup hands to miss_step: 12 numbers.
- * Its fields may change from version to version.
- * It holds heliostat-way, heliostat-distance, heliostat-on_mirror.
+ * @brief What miss_setup hands to miss_step: 11 numbers.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of miss_setup and a mark from its end, if it did not refuse.
+ *     Without the mark miss_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
+ * It holds heliostat-way, heliostat-distance.
  */
 typedef struct {
+  volatile unsigned long ready;
   double sin_chi;
   double cos_chi;
   double cos_psi;
@@ -1979,21 +2123,25 @@ typedef struct {
   double way_x;
   double distance;
   double m1;
-  int on_mirror;
 } heliostat_miss_ctx_f64;
 
 /**
  * @brief Set-up of miss: all of it that changes with the mount only.
  *
  * Cost: 10 flops (4 mul, 5 add, 0 div, 1 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] position where the mirror stands, m, refused outside [-1e+06, 1e+06], working range
- *     [-1000, 1000]
+ *     [-1000, 1000]; held by the mount
  * @param[in] aim_point point of the receiver to be lit, m, refused outside [-1e+06, 1e+06],
- *     working range [-1000, 1000]
- * @param[out] ctx what miss_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *     working range [-1000, 1000]; held by the mount
+ * @param[out] ctx what miss_step reads; not ready where the status is negative, whatever it held
+ *     before
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: the aim point lies on the mirror, within 1e-6 m
+ * @see heliostat_miss_f64
+ * @see heliostat_miss_step_f64
  */
 int heliostat_miss_setup_f64(
     const heliostat_params_f64 *p, const double position[3], const double aim_point[3],
@@ -2004,19 +2152,21 @@ int heliostat_miss_setup_f64(
  *     that faces the mirror.
  *
  * Cost: 54 flops (34 mul, 18 add, 1 div, 1 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what miss_setup left, its status not negative
+ * @param[in] ctx what miss_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] miss distance from the aim point at which the beam meets the plane that faces the
  *     mirror, m (heliostat-miss)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: the aim point lies on the mirror, within 1e-6 m
  *   UNREACHABLE: the beam leaves across the way, or backwards
  *   UNREACHABLE: the sun stands behind the mirror
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_miss_f64
+ * @see heliostat_miss_setup_f64
  */
 int heliostat_miss_step_f64(
     const heliostat_miss_ctx_f64 *ctx, const double c[3], double alpha, double beta, double *miss);
@@ -2028,9 +2178,9 @@ int heliostat_miss_step_f64(
  * Cost: 35 flops (22 mul, 12 add, 0 div, 1 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] alpha azimuth drive angle, front branch, rad (heliostat-alpha_drive)
  * @param[out] beta elevation drive angle, front branch: in [-pi/2, pi/2], rad
  *     (heliostat-beta_drive)
@@ -2040,6 +2190,8 @@ int heliostat_miss_step_f64(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ * @see heliostat_drive_setup_f64
+ * @see heliostat_drive_step_f64
  */
 int heliostat_drive_f64(
     const heliostat_params_f64 *p, const double c[3], const double b[3], double *alpha,
@@ -2047,9 +2199,14 @@ int heliostat_drive_f64(
 
 /**
  * @brief What drive_setup hands to drive_step: 10 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of drive_setup and a mark from its end, if it did not refuse.
+ *     Without the mark drive_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x;
   double b_y;
   double b_z;
@@ -2066,12 +2223,16 @@ typedef struct {
  * @brief Set-up of drive: all of it that changes with the mount only.
  *
  * Cost: 2 flops (2 mul, 0 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what drive_step reads; untouched where the status is negative
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
+ * @param[out] ctx what drive_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_drive_f64
+ * @see heliostat_drive_step_f64
  */
 int heliostat_drive_setup_f64(
     const heliostat_params_f64 *p, const double b[3], heliostat_drive_ctx_f64 *ctx);
@@ -2081,9 +2242,9 @@ int heliostat_drive_setup_f64(
  *     >= 0. With b = c the mirror faces the sun.
  *
  * Cost: 33 flops (20 mul, 12 add, 0 div, 1 sqrt), 0 sin/cos, 2 atan2.
- * @param[in] ctx what drive_setup left, its status not negative
+ * @param[in] ctx what drive_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[out] alpha azimuth drive angle, front branch, rad (heliostat-alpha_drive)
  * @param[out] beta elevation drive angle, front branch: in [-pi/2, pi/2], rad
  *     (heliostat-beta_drive)
@@ -2093,6 +2254,9 @@ int heliostat_drive_setup_f64(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_drive_f64
+ * @see heliostat_drive_setup_f64
  */
 int heliostat_drive_step_f64(
     const heliostat_drive_ctx_f64 *ctx, const double c[3], double *alpha, double *beta);
@@ -2104,9 +2268,9 @@ int heliostat_drive_step_f64(
  * Cost: 35 flops (22 mul, 12 add, 0 div, 1 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] alpha azimuth drive angle, back branch, rad (heliostat-alpha_back)
  * @param[out] beta elevation drive angle, back branch, rad (heliostat-beta_back)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -2115,6 +2279,8 @@ int heliostat_drive_step_f64(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ * @see heliostat_drive_back_setup_f64
+ * @see heliostat_drive_back_step_f64
  */
 int heliostat_drive_back_f64(
     const heliostat_params_f64 *p, const double c[3], const double b[3], double *alpha,
@@ -2122,9 +2288,15 @@ int heliostat_drive_back_f64(
 
 /**
  * @brief What drive_back_setup hands to drive_back_step: 10 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of drive_back_setup and a mark from its end, if it did not
+ *     refuse. Without the mark drive_back_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x;
   double b_y;
   double b_z;
@@ -2141,12 +2313,16 @@ typedef struct {
  * @brief Set-up of drive_back: all of it that changes with the mount only.
  *
  * Cost: 2 flops (2 mul, 0 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what drive_back_step reads; untouched where the status is negative
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
+ * @param[out] ctx what drive_back_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_drive_back_f64
+ * @see heliostat_drive_back_step_f64
  */
 int heliostat_drive_back_setup_f64(
     const heliostat_params_f64 *p, const double b[3], heliostat_drive_back_ctx_f64 *ctx);
@@ -2156,9 +2332,9 @@ int heliostat_drive_back_setup_f64(
  *     the top: cos(beta) <= 0.
  *
  * Cost: 33 flops (20 mul, 12 add, 0 div, 1 sqrt), 0 sin/cos, 2 atan2.
- * @param[in] ctx what drive_back_setup left, its status not negative
+ * @param[in] ctx what drive_back_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[out] alpha azimuth drive angle, back branch, rad (heliostat-alpha_back)
  * @param[out] beta elevation drive angle, back branch, rad (heliostat-beta_back)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -2167,6 +2343,9 @@ int heliostat_drive_back_setup_f64(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_drive_back_f64
+ * @see heliostat_drive_back_setup_f64
  */
 int heliostat_drive_back_step_f64(
     const heliostat_drive_back_ctx_f64 *ctx, const double c[3], double *alpha, double *beta);
@@ -2178,9 +2357,9 @@ int heliostat_drive_back_step_f64(
  * Cost: 35 flops (22 mul, 12 add, 0 div, 1 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] alpha azimuth drive angle, front branch, rad (heliostat-alpha_drive)
  * @param[out] beta elevation drive angle, front branch: in [-pi/2, pi/2], rad
  *     (heliostat-beta_drive)
@@ -2190,6 +2369,8 @@ int heliostat_drive_back_step_f64(
  *   CLAMPED: the normal would lie in the blind cone: the nearest is taken
  *   SINGULAR: the normal is on the azimuth axis: alpha is 0, and the nearest pose is chi away
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away
+ * @see heliostat_drive_nearest_setup_f64
+ * @see heliostat_drive_nearest_step_f64
  */
 int heliostat_drive_nearest_f64(
     const heliostat_params_f64 *p, const double c[3], const double b[3], double *alpha,
@@ -2197,9 +2378,15 @@ int heliostat_drive_nearest_f64(
 
 /**
  * @brief What drive_nearest_setup hands to drive_nearest_step: 10 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of drive_nearest_setup and a mark from its end, if it did not
+ *     refuse. Without the mark drive_nearest_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x;
   double b_y;
   double b_z;
@@ -2216,12 +2403,16 @@ typedef struct {
  * @brief Set-up of drive_nearest: all of it that changes with the mount only.
  *
  * Cost: 2 flops (2 mul, 0 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what drive_nearest_step reads; untouched where the status is negative
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
+ * @param[out] ctx what drive_nearest_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_drive_nearest_f64
+ * @see heliostat_drive_nearest_step_f64
  */
 int heliostat_drive_nearest_setup_f64(
     const heliostat_params_f64 *p, const double b[3], heliostat_drive_nearest_ctx_f64 *ctx);
@@ -2232,9 +2423,9 @@ int heliostat_drive_nearest_setup_f64(
  *     the same azimuth.
  *
  * Cost: 33 flops (20 mul, 12 add, 0 div, 1 sqrt), 0 sin/cos, 2 atan2.
- * @param[in] ctx what drive_nearest_setup left, its status not negative
+ * @param[in] ctx what drive_nearest_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[out] alpha azimuth drive angle, front branch, rad (heliostat-alpha_drive)
  * @param[out] beta elevation drive angle, front branch: in [-pi/2, pi/2], rad
  *     (heliostat-beta_drive)
@@ -2244,6 +2435,9 @@ int heliostat_drive_nearest_setup_f64(
  *   CLAMPED: the normal would lie in the blind cone: the nearest is taken
  *   SINGULAR: the normal is on the azimuth axis: alpha is 0, and the nearest pose is chi away
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_drive_nearest_f64
+ * @see heliostat_drive_nearest_setup_f64
  */
 int heliostat_drive_nearest_step_f64(
     const heliostat_drive_nearest_ctx_f64 *ctx, const double c[3], double *alpha, double *beta);
@@ -2255,13 +2449,13 @@ int heliostat_drive_nearest_step_f64(
  * Cost: 43 flops (28 mul, 14 add, 0 div, 1 sqrt), 12 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] alpha azimuth drive angle that follows the sun, rad (heliostat-alpha_track)
  * @param[out] beta elevation drive angle that follows the sun, rad (heliostat-beta_track)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -2270,6 +2464,8 @@ int heliostat_drive_nearest_step_f64(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ * @see heliostat_track_setup_f64
+ * @see heliostat_track_step_f64
  */
 int heliostat_track_f64(
     const heliostat_params_f64 *p, double latitude, double declination, double hour_angle,
@@ -2277,9 +2473,14 @@ int heliostat_track_f64(
 
 /**
  * @brief What track_setup hands to track_step: 14 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of track_setup and a mark from its end, if it did not refuse.
+ *     Without the mark track_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double cos_psi;
   double sin_psi;
   double m1;
@@ -2300,14 +2501,18 @@ typedef struct {
  * @brief Set-up of track: all of it that changes with the mount only.
  *
  * Cost: 24 flops (18 mul, 6 add, 0 div, 0 sqrt), 8 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what track_step reads; untouched where the status is negative
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
+ * @param[out] ctx what track_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_track_f64
+ * @see heliostat_track_step_f64
  */
 int heliostat_track_setup_f64(
     const heliostat_params_f64 *p, double latitude, const double b[3],
@@ -2318,11 +2523,11 @@ int heliostat_track_setup_f64(
  *     the horizon is followed too.
  *
  * Cost: 36 flops (22 mul, 13 add, 0 div, 1 sqrt), 4 sin/cos, 2 atan2.
- * @param[in] ctx what track_setup left, its status not negative
+ * @param[in] ctx what track_setup left; refused if it is not ready
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] alpha azimuth drive angle that follows the sun, rad (heliostat-alpha_track)
  * @param[out] beta elevation drive angle that follows the sun, rad (heliostat-beta_track)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -2331,6 +2536,9 @@ int heliostat_track_setup_f64(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_track_f64
+ * @see heliostat_track_setup_f64
  */
 int heliostat_track_step_f64(
     const heliostat_track_ctx_f64 *ctx, double declination, double hour_angle, double *alpha,
@@ -2343,11 +2551,11 @@ int heliostat_track_step_f64(
  * Cost: 73 flops (47 mul, 22 add, 3 div, 1 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] c_dot rate of the unit vector to the sun, 1/s, refused outside [-1e+06, 1e+06],
- *     working range [-1, 1]
+ *     working range [-1, 1]; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] alpha azimuth drive angle, front branch, rad (heliostat-alpha_drive)
  * @param[out] beta elevation drive angle, front branch: in [-pi/2, pi/2], rad
  *     (heliostat-beta_drive)
@@ -2359,6 +2567,8 @@ int heliostat_track_step_f64(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ * @see heliostat_drive_rates_setup_f64
+ * @see heliostat_drive_rates_step_f64
  */
 int heliostat_drive_rates_f64(
     const heliostat_params_f64 *p, const double c[3], const double c_dot[3], const double b[3],
@@ -2366,9 +2576,15 @@ int heliostat_drive_rates_f64(
 
 /**
  * @brief What drive_rates_setup hands to drive_rates_step: 11 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of drive_rates_setup and a mark from its end, if it did not
+ *     refuse. Without the mark drive_rates_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x;
   double b_y;
   double b_z;
@@ -2386,12 +2602,16 @@ typedef struct {
  * @brief Set-up of drive_rates: all of it that changes with the mount only.
  *
  * Cost: 2 flops (2 mul, 0 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what drive_rates_step reads; untouched where the status is negative
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
+ * @param[out] ctx what drive_rates_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_drive_rates_f64
+ * @see heliostat_drive_rates_step_f64
  */
 int heliostat_drive_rates_setup_f64(
     const heliostat_params_f64 *p, const double b[3], heliostat_drive_rates_ctx_f64 *ctx);
@@ -2401,11 +2621,11 @@ int heliostat_drive_rates_setup_f64(
  *     held. To face the sun itself, b = c, give twice its rate.
  *
  * Cost: 71 flops (45 mul, 22 add, 3 div, 1 sqrt), 0 sin/cos, 2 atan2.
- * @param[in] ctx what drive_rates_setup left, its status not negative
+ * @param[in] ctx what drive_rates_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] c_dot rate of the unit vector to the sun, 1/s, refused outside [-1e+06, 1e+06],
- *     working range [-1, 1]
+ *     working range [-1, 1]; each tick
  * @param[out] alpha azimuth drive angle, front branch, rad (heliostat-alpha_drive)
  * @param[out] beta elevation drive angle, front branch: in [-pi/2, pi/2], rad
  *     (heliostat-beta_drive)
@@ -2417,6 +2637,9 @@ int heliostat_drive_rates_setup_f64(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_drive_rates_f64
+ * @see heliostat_drive_rates_setup_f64
  */
 int heliostat_drive_rates_step_f64(
     const heliostat_drive_rates_ctx_f64 *ctx, const double c[3], const double c_dot[3],
@@ -2430,9 +2653,9 @@ int heliostat_drive_rates_step_f64(
  * Cost: 64 flops (42 mul, 18 add, 3 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] J derivatives of (alpha, beta) by (theta, psi, chi), a row a drive, 2 by 3,
  *     row-major (heliostat-J)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -2441,15 +2664,23 @@ int heliostat_drive_rates_step_f64(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ * @see heliostat_drive_sensitivity_setup_f64
+ * @see heliostat_drive_sensitivity_step_f64
  */
 int heliostat_drive_sensitivity_f64(
     const heliostat_params_f64 *p, const double c[3], const double b[3], double J[6]);
 
 /**
  * @brief What drive_sensitivity_setup hands to drive_sensitivity_step: 14 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of drive_sensitivity_setup and a mark from its end, if it did
+ *     not refuse. Without the mark drive_sensitivity_step answers ARMILLARY_OUT_OF_RANGE and
+ *     writes nothing: a machine does not go on with a mount that was never told, or that was
+ *     told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x;
   double b_y;
   double b_z;
@@ -2470,12 +2701,16 @@ typedef struct {
  * @brief Set-up of drive_sensitivity: all of it that changes with the mount only.
  *
  * Cost: 5 flops (4 mul, 0 add, 1 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what drive_sensitivity_step reads; untouched where the status is negative
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
+ * @param[out] ctx what drive_sensitivity_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_drive_sensitivity_f64
+ * @see heliostat_drive_sensitivity_step_f64
  */
 int heliostat_drive_sensitivity_setup_f64(
     const heliostat_params_f64 *p, const double b[3], heliostat_drive_sensitivity_ctx_f64 *ctx);
@@ -2486,9 +2721,9 @@ int heliostat_drive_sensitivity_setup_f64(
  *     it by at most 1 / cos(beta)^2, relative to its largest entry.
  *
  * Cost: 59 flops (38 mul, 18 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * @param[in] ctx what drive_sensitivity_setup left, its status not negative
+ * @param[in] ctx what drive_sensitivity_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[out] J derivatives of (alpha, beta) by (theta, psi, chi), a row a drive, 2 by 3,
  *     row-major (heliostat-J)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -2497,6 +2732,9 @@ int heliostat_drive_sensitivity_setup_f64(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_drive_sensitivity_f64
+ * @see heliostat_drive_sensitivity_setup_f64
  */
 int heliostat_drive_sensitivity_step_f64(
     const heliostat_drive_sensitivity_ctx_f64 *ctx, const double c[3], double J[6]);
@@ -2509,9 +2747,9 @@ int heliostat_drive_sensitivity_step_f64(
  * Cost: 92 flops (62 mul, 26 add, 3 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] J_c derivatives of (alpha, beta) by the east, north and up components of b, and of
  *     c, 2 by 3, row-major (heliostat-response)
  * @param[out] J_b derivatives of (alpha, beta) by the east, north and up components of b, and of
@@ -2522,6 +2760,8 @@ int heliostat_drive_sensitivity_step_f64(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ * @see heliostat_drive_response_setup_f64
+ * @see heliostat_drive_response_step_f64
  */
 int heliostat_drive_response_f64(
     const heliostat_params_f64 *p, const double c[3], const double b[3], double J_c[6],
@@ -2529,9 +2769,15 @@ int heliostat_drive_response_f64(
 
 /**
  * @brief What drive_response_setup hands to drive_response_step: 11 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of drive_response_setup and a mark from its end, if it did not
+ *     refuse. Without the mark drive_response_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x;
   double b_y;
   double b_z;
@@ -2549,12 +2795,16 @@ typedef struct {
  * @brief Set-up of drive_response: all of it that changes with the mount only.
  *
  * Cost: 2 flops (2 mul, 0 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what drive_response_step reads; untouched where the status is negative
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
+ * @param[out] ctx what drive_response_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_drive_response_f64
+ * @see heliostat_drive_response_step_f64
  */
 int heliostat_drive_response_setup_f64(
     const heliostat_params_f64 *p, const double b[3], heliostat_drive_response_ctx_f64 *ctx);
@@ -2565,9 +2815,9 @@ int heliostat_drive_response_setup_f64(
  *     rounded grows in it by at most 1 / cos(beta)^2, relative to its largest entry.
  *
  * Cost: 90 flops (60 mul, 26 add, 3 div, 1 sqrt), 0 sin/cos, 0 atan2.
- * @param[in] ctx what drive_response_setup left, its status not negative
+ * @param[in] ctx what drive_response_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[out] J_c derivatives of (alpha, beta) by the east, north and up components of b, and of
  *     c, 2 by 3, row-major (heliostat-response)
  * @param[out] J_b derivatives of (alpha, beta) by the east, north and up components of b, and of
@@ -2578,6 +2828,9 @@ int heliostat_drive_response_setup_f64(
  *   UNREACHABLE: the normal would lie in the blind cone
  *   SINGULAR: cos(beta) is below 1e-6: the azimuth drive runs away there; on its own axis it is
  *     0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_drive_response_f64
+ * @see heliostat_drive_response_setup_f64
  */
 int heliostat_drive_response_step_f64(
     const heliostat_drive_response_ctx_f64 *ctx, const double c[3], double J_c[6], double J_b[6]);
@@ -2591,9 +2844,9 @@ int heliostat_drive_response_step_f64(
  * Cost: 24 flops (12 mul, 10 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] alpha azimuth drive angle to first order; not brought back into [-pi, pi], rad
  *     (heliostat-alpha_first)
  * @param[out] beta elevation drive angle to first order, rad (heliostat-beta_first)
@@ -2608,57 +2861,6 @@ int heliostat_drive_first_order_f64(
     double *beta);
 
 /**
- * @brief What drive_first_order_setup hands to drive_first_order_step: 6 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  double b_x;
-  double b_y;
-  double b_z;
-  double theta;
-  double psi;
-  double chi;
-} heliostat_drive_first_order_ctx_f64;
-
-/**
- * @brief Set-up of drive_first_order: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters; not read: alpha_0, beta_0, collimation
- * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what drive_first_order_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int heliostat_drive_first_order_setup_f64(
-    const heliostat_params_f64 *p, const double b[3], heliostat_drive_first_order_ctx_f64 *ctx);
-
-/**
- * @brief Step of drive_first_order. Drive angles to first order in theta, psi and chi; alpha is
- *     not brought back into [-pi, pi]. All three of 10 mrad and normals up to 60 degrees high:
- *     alpha is off by at most 0.9 mrad, beta by 0.2; all three of 0.3 rad, up to 45 degrees: by
- *     0.75 and 0.16 rad. Towards the zenith the error grows without end, and the blind cone is
- *     not told.
- *
- * Cost: 24 flops (12 mul, 10 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2.
- * @param[in] ctx what drive_first_order_setup left, its status not negative
- * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
- * @param[out] alpha azimuth drive angle to first order; not brought back into [-pi, pi], rad
- *     (heliostat-alpha_first)
- * @param[out] beta elevation drive angle to first order, rad (heliostat-beta_first)
- * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
- *     ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: b = -c within 1e-6: no normal is singled out
- *   SINGULAR: the normal is within 1e-6 of the zenith or the nadir: alpha is 0, nothing is
- *     corrected
- */
-int heliostat_drive_first_order_step_f64(
-    const heliostat_drive_first_order_ctx_f64 *ctx, const double c[3], double *alpha,
-    double *beta);
-
-/**
  * @brief Drive angles to second order in theta, psi and chi; alpha is not brought back into
  *     [-pi, pi]. All three of 10 mrad and normals up to 60 degrees high: alpha is off by at most
  *     0.02 mrad, beta by 0.003; all three of 0.3 rad, up to 45 degrees: by 0.43 and 0.11 rad.
@@ -2667,9 +2869,9 @@ int heliostat_drive_first_order_step_f64(
  * Cost: 41 flops (22 mul, 17 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] alpha azimuth drive angle to second order; not brought back into [-pi, pi], rad
  *     (heliostat-alpha_second)
  * @param[out] beta elevation drive angle to second order, rad (heliostat-beta_second)
@@ -2678,6 +2880,8 @@ int heliostat_drive_first_order_step_f64(
  *   UNREACHABLE: b = -c within 1e-6: no normal is singled out
  *   SINGULAR: the normal is within 1e-6 of the zenith or the nadir: alpha is 0, nothing is
  *     corrected
+ * @see heliostat_drive_second_order_setup_f64
+ * @see heliostat_drive_second_order_step_f64
  */
 int heliostat_drive_second_order_f64(
     const heliostat_params_f64 *p, const double c[3], const double b[3], double *alpha,
@@ -2685,9 +2889,15 @@ int heliostat_drive_second_order_f64(
 
 /**
  * @brief What drive_second_order_setup hands to drive_second_order_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of drive_second_order_setup and a mark from its end, if it did
+ *     not refuse. Without the mark drive_second_order_step answers ARMILLARY_OUT_OF_RANGE and
+ *     writes nothing: a machine does not go on with a mount that was never told, or that was
+ *     told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x;
   double b_y;
   double b_z;
@@ -2702,12 +2912,16 @@ typedef struct {
  * @brief Set-up of drive_second_order: all of it that changes with the mount only.
  *
  * Cost: 3 flops (3 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what drive_second_order_step reads; untouched where the status is negative
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
+ * @param[out] ctx what drive_second_order_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_drive_second_order_f64
+ * @see heliostat_drive_second_order_step_f64
  */
 int heliostat_drive_second_order_setup_f64(
     const heliostat_params_f64 *p, const double b[3], heliostat_drive_second_order_ctx_f64 *ctx);
@@ -2720,9 +2934,9 @@ int heliostat_drive_second_order_setup_f64(
  *     blind cone is not told.
  *
  * Cost: 38 flops (19 mul, 17 add, 1 div, 1 sqrt), 0 sin/cos, 2 atan2.
- * @param[in] ctx what drive_second_order_setup left, its status not negative
+ * @param[in] ctx what drive_second_order_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[out] alpha azimuth drive angle to second order; not brought back into [-pi, pi], rad
  *     (heliostat-alpha_second)
  * @param[out] beta elevation drive angle to second order, rad (heliostat-beta_second)
@@ -2731,6 +2945,9 @@ int heliostat_drive_second_order_setup_f64(
  *   UNREACHABLE: b = -c within 1e-6: no normal is singled out
  *   SINGULAR: the normal is within 1e-6 of the zenith or the nadir: alpha is 0, nothing is
  *     corrected
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_drive_second_order_f64
+ * @see heliostat_drive_second_order_setup_f64
  */
 int heliostat_drive_second_order_step_f64(
     const heliostat_drive_second_order_ctx_f64 *ctx, const double c[3], double *alpha,
@@ -2742,9 +2959,9 @@ int heliostat_drive_second_order_step_f64(
  * Cost: 54 flops (34 mul, 18 add, 0 div, 2 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
  * @param[out] Delta_A error of the azimuth drive if the axes are taken as ideal, in [-pi, pi],
  *     rad (heliostat-Delta_A)
  * @param[out] Delta_h error of the elevation drive if the axes are taken as ideal, in [-pi, pi],
@@ -2757,6 +2974,8 @@ int heliostat_drive_second_order_step_f64(
  *     0
  *   SINGULAR: the normal is within 1e-6 of the zenith or the nadir: alpha of ideal axes counts
  *     as 0
+ * @see heliostat_error_angles_setup_f64
+ * @see heliostat_error_angles_step_f64
  */
 int heliostat_error_angles_f64(
     const heliostat_params_f64 *p, const double c[3], const double b[3], double *Delta_A,
@@ -2764,9 +2983,15 @@ int heliostat_error_angles_f64(
 
 /**
  * @brief What error_angles_setup hands to error_angles_step: 10 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of error_angles_setup and a mark from its end, if it did not
+ *     refuse. Without the mark error_angles_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x;
   double b_y;
   double b_z;
@@ -2783,12 +3008,16 @@ typedef struct {
  * @brief Set-up of error_angles: all of it that changes with the mount only.
  *
  * Cost: 2 flops (2 mul, 0 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: alpha_0, beta_0, collimation
  * @param[in] b unit vector from the mirror to the receiver; the sun's own direction for direct
- *     tracking, unit vector; refused when its square is off by more than 1e-3
- * @param[out] ctx what error_angles_step reads; untouched where the status is negative
+ *     tracking, unit vector; refused when its square is off by more than 1e-3; held by the mount
+ * @param[out] ctx what error_angles_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_error_angles_f64
+ * @see heliostat_error_angles_step_f64
  */
 int heliostat_error_angles_setup_f64(
     const heliostat_params_f64 *p, const double b[3], heliostat_error_angles_ctx_f64 *ctx);
@@ -2797,9 +3026,9 @@ int heliostat_error_angles_setup_f64(
  * @brief Step of error_angles. Drive angles for ideal axes minus those for the real ones.
  *
  * Cost: 52 flops (32 mul, 18 add, 0 div, 2 sqrt), 0 sin/cos, 2 atan2.
- * @param[in] ctx what error_angles_setup left, its status not negative
+ * @param[in] ctx what error_angles_setup left; refused if it is not ready
  * @param[in] c unit vector to the sun, unit vector; refused when its square is off by more than
- *     1e-3
+ *     1e-3; each tick
  * @param[out] Delta_A error of the azimuth drive if the axes are taken as ideal, in [-pi, pi],
  *     rad (heliostat-Delta_A)
  * @param[out] Delta_h error of the elevation drive if the axes are taken as ideal, in [-pi, pi],
@@ -2812,6 +3041,9 @@ int heliostat_error_angles_setup_f64(
  *     0
  *   SINGULAR: the normal is within 1e-6 of the zenith or the nadir: alpha of ideal axes counts
  *     as 0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_error_angles_f64
+ * @see heliostat_error_angles_setup_f64
  */
 int heliostat_error_angles_step_f64(
     const heliostat_error_angles_ctx_f64 *ctx, const double c[3], double *Delta_A,
@@ -2823,13 +3055,15 @@ int heliostat_error_angles_step_f64(
  * Cost: 24 flops (16 mul, 6 add, 0 div, 2 sqrt), 8 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: theta, alpha_0, beta_0, collimation
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] e_theta shift of the normal per unit of theta, drives held (heliostat-e_theta)
  * @param[out] e_psi shift of the normal per unit of psi, drives held (heliostat-e_psi)
  * @param[out] e_chi shift of the normal per unit of chi, drives held (heliostat-e_chi)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_normal_errors_setup_f64
+ * @see heliostat_normal_errors_step_f64
  */
 int heliostat_normal_errors_f64(
     const heliostat_params_f64 *p, double alpha, double beta, double *e_theta, double *e_psi,
@@ -2837,9 +3071,15 @@ int heliostat_normal_errors_f64(
 
 /**
  * @brief What normal_errors_setup hands to normal_errors_step: 6 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of normal_errors_setup and a mark from its end, if it did not
+ *     refuse. Without the mark normal_errors_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double sin_chi;
   double cos_chi;
   double m1;
@@ -2852,10 +3092,14 @@ typedef struct {
  * @brief Set-up of normal_errors: all of it that changes with the mount only.
  *
  * Cost: 3 flops (3 mul, 0 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: theta, alpha_0, beta_0, collimation
- * @param[out] ctx what normal_errors_step reads; untouched where the status is negative
+ * @param[out] ctx what normal_errors_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_normal_errors_f64
+ * @see heliostat_normal_errors_step_f64
  */
 int heliostat_normal_errors_setup_f64(
     const heliostat_params_f64 *p, heliostat_normal_errors_ctx_f64 *ctx);
@@ -2865,15 +3109,18 @@ int heliostat_normal_errors_setup_f64(
  *     held.
  *
  * Cost: 21 flops (13 mul, 6 add, 0 div, 2 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what normal_errors_setup left, its status not negative
+ * @param[in] ctx what normal_errors_setup left; refused if it is not ready
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] e_theta shift of the normal per unit of theta, drives held (heliostat-e_theta)
  * @param[out] e_psi shift of the normal per unit of psi, drives held (heliostat-e_psi)
  * @param[out] e_chi shift of the normal per unit of chi, drives held (heliostat-e_chi)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_normal_errors_f64
+ * @see heliostat_normal_errors_setup_f64
  */
 int heliostat_normal_errors_step_f64(
     const heliostat_normal_errors_ctx_f64 *ctx, double alpha, double beta, double *e_theta,
@@ -2886,9 +3133,9 @@ int heliostat_normal_errors_step_f64(
  * Cost: 35 flops (23 mul, 11 add, 0 div, 1 sqrt), 9 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: theta, psi
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] alpha_reading reading of the azimuth encoder, rad (heliostat-alpha_encoder)
  * @param[out] beta_reading reading of the elevation encoder, rad (heliostat-beta_encoder)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -2896,6 +3143,8 @@ int heliostat_normal_errors_step_f64(
  *   UNREACHABLE: the true normal cannot be brought there
  *   SINGULAR: the cosine of the elevation drive is below 1e-6: the azimuth drive runs away; on
  *     its own axis 0 is returned for it, not the angle that was given
+ * @see heliostat_encoder_setup_f64
+ * @see heliostat_encoder_step_f64
  */
 int heliostat_encoder_f64(
     const heliostat_params_f64 *p, double alpha, double beta, double *alpha_reading,
@@ -2903,9 +3152,14 @@ int heliostat_encoder_f64(
 
 /**
  * @brief What encoder_setup hands to encoder_step: 8 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of encoder_setup and a mark from its end, if it did not refuse.
+ *     Without the mark encoder_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double sin_chi;
   double cos_chi;
   double alpha_0;
@@ -2920,10 +3174,14 @@ typedef struct {
  * @brief Set-up of encoder: all of it that changes with the mount only.
  *
  * Cost: 2 flops (2 mul, 0 add, 0 div, 0 sqrt), 5 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: theta, psi
- * @param[out] ctx what encoder_step reads; untouched where the status is negative
+ * @param[out] ctx what encoder_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_encoder_f64
+ * @see heliostat_encoder_step_f64
  */
 int heliostat_encoder_setup_f64(const heliostat_params_f64 *p, heliostat_encoder_ctx_f64 *ctx);
 
@@ -2932,11 +3190,11 @@ int heliostat_encoder_setup_f64(const heliostat_params_f64 *p, heliostat_encoder
  *     beta would point the mirror's first axis.
  *
  * Cost: 33 flops (21 mul, 11 add, 0 div, 1 sqrt), 4 sin/cos, 2 atan2.
- * @param[in] ctx what encoder_setup left, its status not negative
+ * @param[in] ctx what encoder_setup left; refused if it is not ready
  * @param[in] alpha azimuth drive angle: from south to west, clockwise from above, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta elevation drive angle: positive raises the normal, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] alpha_reading reading of the azimuth encoder, rad (heliostat-alpha_encoder)
  * @param[out] beta_reading reading of the elevation encoder, rad (heliostat-beta_encoder)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -2944,6 +3202,9 @@ int heliostat_encoder_setup_f64(const heliostat_params_f64 *p, heliostat_encoder
  *   UNREACHABLE: the true normal cannot be brought there
  *   SINGULAR: the cosine of the elevation drive is below 1e-6: the azimuth drive runs away; on
  *     its own axis 0 is returned for it, not the angle that was given
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_encoder_f64
+ * @see heliostat_encoder_setup_f64
  */
 int heliostat_encoder_step_f64(
     const heliostat_encoder_ctx_f64 *ctx, double alpha, double beta, double *alpha_reading,
@@ -2955,9 +3216,9 @@ int heliostat_encoder_step_f64(
  * Cost: 32 flops (21 mul, 10 add, 0 div, 1 sqrt), 8 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: theta, psi
  * @param[in] alpha_reading reading of the azimuth encoder, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta_reading reading of the elevation encoder, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[out] alpha azimuth drive angle from the readings, rad (heliostat-alpha_decoded)
  * @param[out] beta elevation drive angle from the readings, rad (heliostat-beta_decoded)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -2965,6 +3226,8 @@ int heliostat_encoder_step_f64(
  *   UNREACHABLE: no drive angles without collimation error do the same
  *   SINGULAR: the cosine of the elevation drive is below 1e-6: the azimuth drive runs away; on
  *     its own axis 0 is returned for it, not the angle that was given
+ * @see heliostat_encoder_inverse_setup_f64
+ * @see heliostat_encoder_inverse_step_f64
  */
 int heliostat_encoder_inverse_f64(
     const heliostat_params_f64 *p, double alpha_reading, double beta_reading, double *alpha,
@@ -2972,9 +3235,15 @@ int heliostat_encoder_inverse_f64(
 
 /**
  * @brief What encoder_inverse_setup hands to encoder_inverse_step: 9 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of encoder_inverse_setup and a mark from its end, if it did not
+ *     refuse. Without the mark encoder_inverse_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double beta_0;
   double cos_collimation;
   double sin_chi;
@@ -2990,10 +3259,14 @@ typedef struct {
  * @brief Set-up of encoder_inverse: all of it that changes with the mount only.
  *
  * Cost: 4 flops (4 mul, 0 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: theta, psi
- * @param[out] ctx what encoder_inverse_step reads; untouched where the status is negative
+ * @param[out] ctx what encoder_inverse_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see heliostat_encoder_inverse_f64
+ * @see heliostat_encoder_inverse_step_f64
  */
 int heliostat_encoder_inverse_setup_f64(
     const heliostat_params_f64 *p, heliostat_encoder_inverse_ctx_f64 *ctx);
@@ -3002,11 +3275,11 @@ int heliostat_encoder_inverse_setup_f64(
  * @brief Step of encoder_inverse. The drive angles that the readings stand for.
  *
  * Cost: 28 flops (17 mul, 10 add, 0 div, 1 sqrt), 4 sin/cos, 2 atan2.
- * @param[in] ctx what encoder_inverse_setup left, its status not negative
+ * @param[in] ctx what encoder_inverse_setup left; refused if it is not ready
  * @param[in] alpha_reading reading of the azimuth encoder, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta_reading reading of the elevation encoder, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[out] alpha azimuth drive angle from the readings, rad (heliostat-alpha_decoded)
  * @param[out] beta elevation drive angle from the readings, rad (heliostat-beta_decoded)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -3014,6 +3287,9 @@ int heliostat_encoder_inverse_setup_f64(
  *   UNREACHABLE: no drive angles without collimation error do the same
  *   SINGULAR: the cosine of the elevation drive is below 1e-6: the azimuth drive runs away; on
  *     its own axis 0 is returned for it, not the angle that was given
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see heliostat_encoder_inverse_f64
+ * @see heliostat_encoder_inverse_setup_f64
  */
 int heliostat_encoder_inverse_step_f64(
     const heliostat_encoder_inverse_ctx_f64 *ctx, double alpha_reading, double beta_reading,
@@ -3044,9 +3320,9 @@ int heliostat_pointing_terms_f64(
  * Cost: 14 flops (7 mul, 6 add, 1 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] azimuth azimuth of the normal from north, clockwise, rad, refused outside [-1000,
- *     1000], working range [-3.2, 6.3]
+ *     1000], working range [-3.2, 6.3]; each tick
  * @param[in] elevation elevation of the normal above the horizon, rad, refused outside [-3.15,
- *     3.15], working range [-1.5, 1.5]
+ *     3.15], working range [-1.5, 1.5]; each tick
  * @param[out] delta_azimuth reading of the azimuth minus the azimuth, to first order, rad
  *     (heliostat-delta_azimuth)
  * @param[out] delta_elevation reading of the elevation minus the elevation, to first order, rad
@@ -3057,54 +3333,6 @@ int heliostat_pointing_terms_f64(
 int heliostat_pointing_f64(
     const heliostat_params_f64 *p, double azimuth, double elevation, double *delta_azimuth,
     double *delta_elevation);
-
-/**
- * @brief What pointing_setup hands to pointing_step: 6 numbers.
- * Its fields may change from version to version.
- * It holds heliostat-AN, heliostat-NPAE, heliostat-CA, heliostat-IA, heliostat-IE.
- */
-typedef struct {
-  double AN;
-  double NPAE;
-  double psi;
-  double CA;
-  double IA;
-  double IE;
-} heliostat_pointing_ctx_f64;
-
-/**
- * @brief Set-up of pointing: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters
- * @param[out] ctx what pointing_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int heliostat_pointing_setup_f64(const heliostat_params_f64 *p, heliostat_pointing_ctx_f64 *ctx);
-
-/**
- * @brief Step of pointing. Reading minus azimuth and elevation of the normal, to first order in
- *     all six errors; the azimuth that is read is alpha_reading + pi. All errors of 10 mrad: off
- *     by at most 1.4 and 0.4 mrad up to 60 degrees high; of 0.3 rad: by 0.9 and 0.5 rad up to 30
- *     degrees.
- *
- * Cost: 14 flops (7 mul, 6 add, 1 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what pointing_setup left, its status not negative
- * @param[in] azimuth azimuth of the normal from north, clockwise, rad, refused outside [-1000,
- *     1000], working range [-3.2, 6.3]
- * @param[in] elevation elevation of the normal above the horizon, rad, refused outside [-3.15,
- *     3.15], working range [-1.5, 1.5]
- * @param[out] delta_azimuth reading of the azimuth minus the azimuth, to first order, rad
- *     (heliostat-delta_azimuth)
- * @param[out] delta_elevation reading of the elevation minus the elevation, to first order, rad
- *     (heliostat-delta_elevation)
- * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   SINGULAR: the normal is within 1e-6 of the zenith or the nadir: delta_azimuth is IA alone
- */
-int heliostat_pointing_step_f64(
-    const heliostat_pointing_ctx_f64 *ctx, double azimuth, double elevation,
-    double *delta_azimuth, double *delta_elevation);
 
 #endif
 

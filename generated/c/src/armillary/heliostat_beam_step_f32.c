@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -20,6 +20,7 @@
 
 int heliostat_beam_setup_f32(const heliostat_params_f32 *p, heliostat_beam_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float theta = p->theta;
   const float psi = p->psi;
   const float chi = p->chi;
@@ -47,6 +48,7 @@ int heliostat_beam_setup_f32(const heliostat_params_f32 *p, heliostat_beam_ctx_f
     ctx->sin_psi = sin_psi;
     ctx->cos_theta = cos_theta;
     ctx->sin_theta = sin_theta;
+    ctx->ready = 0x2ac8393fUL;
   }
   return status;
 }
@@ -64,7 +66,7 @@ int heliostat_beam_step_f32(
   const float cos_theta = ctx->cos_theta;
   const float sin_theta = ctx->sin_theta;
   const float c_excess = ((c_x * c_x) + (c_y * c_y) + (c_z * c_z)) - 1.0f;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x2ac8393fUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(c_x) <= 1.001f) ||
       !(fabsf(c_y) <= 1.001f) ||
@@ -72,7 +74,9 @@ int heliostat_beam_step_f32(
       !(fabsf(c_excess) <= 0.001f) ||
       !(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(c_x) <= FLT_MAX) && !(fabsf(c_x) <= 1.001f)) ||
         ((fabsf(c_y) <= FLT_MAX) && !(fabsf(c_y) <= 1.001f)) ||
         ((fabsf(c_z) <= FLT_MAX) && !(fabsf(c_z) <= 1.001f)) ||
@@ -81,7 +85,8 @@ int heliostat_beam_step_f32(
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_beta = sinf(beta);
     const float cos_beta = cosf(beta);
     const float t1 = sin_chi * sin_beta;

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -23,6 +23,7 @@
 int heliostat_chain_first_order_setup_f32(
     const heliostat_params_f32 *p, float latitude, heliostat_chain_first_order_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float theta = p->theta;
   const float psi = p->psi;
   const float chi = p->chi;
@@ -47,6 +48,7 @@ int heliostat_chain_first_order_setup_f32(
     ctx->L_R_E_31 = L_R_E_31;
     ctx->I_R_L_1_13 = theta;
     ctx->I_R_L_1_32 = psi;
+    ctx->ready = 0xb8df1bbeUL;
   }
   return status;
 }
@@ -60,16 +62,19 @@ int heliostat_chain_first_order_step_f32(
   const float L_R_E_31 = ctx->L_R_E_31;
   const float I_R_L_1_13 = ctx->I_R_L_1_13;
   const float I_R_L_1_32 = ctx->I_R_L_1_32;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xb8df1bbeUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float H_R_I_1_21 = sinf(alpha); /* heliostat-H_R_I_1 */
     const float H_R_I_1_22 = cosf(alpha); /* heliostat-H_R_I_1 */
     const float t1 = chi * H_R_I_1_21;

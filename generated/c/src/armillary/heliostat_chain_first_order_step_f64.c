@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -25,6 +25,7 @@
 int heliostat_chain_first_order_setup_f64(
     const heliostat_params_f64 *p, double latitude, heliostat_chain_first_order_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double theta = p->theta;
   const double psi = p->psi;
   const double chi = p->chi;
@@ -49,6 +50,7 @@ int heliostat_chain_first_order_setup_f64(
     ctx->L_R_E_31 = L_R_E_31;
     ctx->I_R_L_1_13 = theta;
     ctx->I_R_L_1_32 = psi;
+    ctx->ready = 0x3027515cUL;
   }
   return status;
 }
@@ -62,16 +64,19 @@ int heliostat_chain_first_order_step_f64(
   const double L_R_E_31 = ctx->L_R_E_31;
   const double I_R_L_1_13 = ctx->I_R_L_1_13;
   const double I_R_L_1_32 = ctx->I_R_L_1_32;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x3027515cUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double H_R_I_1_21 = sin(alpha); /* heliostat-H_R_I_1 */
     const double H_R_I_1_22 = cos(alpha); /* heliostat-H_R_I_1 */
     const double t1 = chi * H_R_I_1_21;

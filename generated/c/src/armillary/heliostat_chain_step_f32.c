@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -21,6 +21,7 @@
 int heliostat_chain_setup_f32(
     const heliostat_params_f32 *p, float latitude, heliostat_chain_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float theta = p->theta;
   const float psi = p->psi;
   const float chi = p->chi;
@@ -60,6 +61,7 @@ int heliostat_chain_setup_f32(
     ctx->m2 = I_R_L_22 * I_R_L_13;
     ctx->I_R_L_32 = I_R_L_32;
     ctx->I_R_L_33 = I_R_L_33;
+    ctx->ready = 0xf66108f4UL;
   }
   return status;
 }
@@ -80,16 +82,19 @@ int heliostat_chain_step_f32(
   const float m2 = ctx->m2;
   const float I_R_L_32 = ctx->I_R_L_32;
   const float I_R_L_33 = ctx->I_R_L_33;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xf66108f4UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_alpha = sinf(alpha);
     const float cos_alpha = cosf(alpha);
     const float H_R_I_21 = cos_chi * sin_alpha; /* heliostat-H_R_I */

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -23,6 +23,7 @@
 int heliostat_chain_setup_f64(
     const heliostat_params_f64 *p, double latitude, heliostat_chain_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double theta = p->theta;
   const double psi = p->psi;
   const double chi = p->chi;
@@ -62,6 +63,7 @@ int heliostat_chain_setup_f64(
     ctx->m2 = I_R_L_22 * I_R_L_13;
     ctx->I_R_L_32 = I_R_L_32;
     ctx->I_R_L_33 = I_R_L_33;
+    ctx->ready = 0x06fda00cUL;
   }
   return status;
 }
@@ -82,16 +84,19 @@ int heliostat_chain_step_f64(
   const double m2 = ctx->m2;
   const double I_R_L_32 = ctx->I_R_L_32;
   const double I_R_L_33 = ctx->I_R_L_33;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x06fda00cUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double sin_alpha = sin(alpha);
     const double cos_alpha = cos(alpha);
     const double H_R_I_21 = cos_chi * sin_alpha; /* heliostat-H_R_I */

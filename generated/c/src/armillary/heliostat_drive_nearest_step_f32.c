@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@
 int heliostat_drive_nearest_setup_f32(
     const heliostat_params_f32 *p, const float b[3], heliostat_drive_nearest_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float theta = p->theta;
   const float psi = p->psi;
   const float chi = p->chi;
@@ -66,6 +67,7 @@ int heliostat_drive_nearest_setup_f32(
     ctx->sin_chi = sin_chi;
     ctx->m1 = t1;
     ctx->m2 = 1.0e-12f * t1;
+    ctx->ready = 0xad44bfb8UL;
   }
   return status;
 }
@@ -87,20 +89,23 @@ int heliostat_drive_nearest_step_f32(
   const float m1 = ctx->m1;
   const float m2 = ctx->m2;
   const float c_excess = ((c_x * c_x) + (c_y * c_y) + (c_z * c_z)) - 1.0f;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xad44bfb8UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(c_x) <= 1.001f) ||
       !(fabsf(c_y) <= 1.001f) ||
       !(fabsf(c_z) <= 1.001f) ||
       !(fabsf(c_excess) <= 0.001f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(c_x) <= FLT_MAX) && !(fabsf(c_x) <= 1.001f)) ||
         ((fabsf(c_y) <= FLT_MAX) && !(fabsf(c_y) <= 1.001f)) ||
         ((fabsf(c_z) <= FLT_MAX) && !(fabsf(c_z) <= 1.001f)) ||
         ((fabsf(c_excess) <= FLT_MAX) && !(fabsf(c_excess) <= 0.001f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float m_x = b_x + c_x; /* heliostat-m */
     const float m_y = b_y + c_y; /* heliostat-m */
     const float m_z = b_z + c_z; /* heliostat-m */

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -21,6 +21,7 @@
 int heliostat_drive_rates_setup_f32(
     const heliostat_params_f32 *p, const float b[3], heliostat_drive_rates_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float theta = p->theta;
   const float psi = p->psi;
   const float chi = p->chi;
@@ -66,6 +67,7 @@ int heliostat_drive_rates_setup_f32(
     ctx->m1 = t1;
     ctx->cos_chi = cos_chi;
     ctx->m2 = 1.0e-12f * t1;
+    ctx->ready = 0x56eed0f9UL;
   }
   return status;
 }
@@ -92,7 +94,7 @@ int heliostat_drive_rates_step_f32(
   const float cos_chi = ctx->cos_chi;
   const float m2 = ctx->m2;
   const float c_excess = ((c_x * c_x) + (c_y * c_y) + (c_z * c_z)) - 1.0f;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x56eed0f9UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(c_x) <= 1.001f) ||
       !(fabsf(c_y) <= 1.001f) ||
@@ -101,7 +103,9 @@ int heliostat_drive_rates_step_f32(
       !(fabsf(c_dot_x) <= 1.0e6f) ||
       !(fabsf(c_dot_y) <= 1.0e6f) ||
       !(fabsf(c_dot_z) <= 1.0e6f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(c_x) <= FLT_MAX) && !(fabsf(c_x) <= 1.001f)) ||
         ((fabsf(c_y) <= FLT_MAX) && !(fabsf(c_y) <= 1.001f)) ||
         ((fabsf(c_z) <= FLT_MAX) && !(fabsf(c_z) <= 1.001f)) ||
@@ -111,7 +115,8 @@ int heliostat_drive_rates_step_f32(
         ((fabsf(c_dot_z) <= FLT_MAX) && !(fabsf(c_dot_z) <= 1.0e6f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float m_x = b_x + c_x; /* heliostat-m */
     const float m_y = b_y + c_y; /* heliostat-m */
     const float m_z = b_z + c_z; /* heliostat-m */

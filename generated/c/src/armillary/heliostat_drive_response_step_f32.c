@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@
 int heliostat_drive_response_setup_f32(
     const heliostat_params_f32 *p, const float b[3], heliostat_drive_response_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float theta = p->theta;
   const float psi = p->psi;
   const float chi = p->chi;
@@ -67,6 +68,7 @@ int heliostat_drive_response_setup_f32(
     ctx->m2 = t1;
     ctx->sin_chi = sin_chi;
     ctx->cos_chi = cos_chi;
+    ctx->ready = 0x8f906b3bUL;
   }
   return status;
 }
@@ -89,20 +91,23 @@ int heliostat_drive_response_step_f32(
   const float sin_chi = ctx->sin_chi;
   const float cos_chi = ctx->cos_chi;
   const float c_excess = ((c_x * c_x) + (c_y * c_y) + (c_z * c_z)) - 1.0f;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x8f906b3bUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(c_x) <= 1.001f) ||
       !(fabsf(c_y) <= 1.001f) ||
       !(fabsf(c_z) <= 1.001f) ||
       !(fabsf(c_excess) <= 0.001f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(c_x) <= FLT_MAX) && !(fabsf(c_x) <= 1.001f)) ||
         ((fabsf(c_y) <= FLT_MAX) && !(fabsf(c_y) <= 1.001f)) ||
         ((fabsf(c_z) <= FLT_MAX) && !(fabsf(c_z) <= 1.001f)) ||
         ((fabsf(c_excess) <= FLT_MAX) && !(fabsf(c_excess) <= 0.001f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float m_x = b_x + c_x; /* heliostat-m */
     const float m_y = b_y + c_y; /* heliostat-m */
     const float m_z = b_z + c_z; /* heliostat-m */

@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -24,6 +24,7 @@
 int heliostat_drive_response_setup_f64(
     const heliostat_params_f64 *p, const double b[3], heliostat_drive_response_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double theta = p->theta;
   const double psi = p->psi;
   const double chi = p->chi;
@@ -69,6 +70,7 @@ int heliostat_drive_response_setup_f64(
     ctx->m2 = t1;
     ctx->sin_chi = sin_chi;
     ctx->cos_chi = cos_chi;
+    ctx->ready = 0x4b0b8430UL;
   }
   return status;
 }
@@ -91,20 +93,23 @@ int heliostat_drive_response_step_f64(
   const double sin_chi = ctx->sin_chi;
   const double cos_chi = ctx->cos_chi;
   const double c_excess = ((c_x * c_x) + (c_y * c_y) + (c_z * c_z)) - 1.0;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x4b0b8430UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(c_x) <= 1.001) ||
       !(fabs(c_y) <= 1.001) ||
       !(fabs(c_z) <= 1.001) ||
       !(fabs(c_excess) <= 0.001)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(c_x) <= DBL_MAX) && !(fabs(c_x) <= 1.001)) ||
         ((fabs(c_y) <= DBL_MAX) && !(fabs(c_y) <= 1.001)) ||
         ((fabs(c_z) <= DBL_MAX) && !(fabs(c_z) <= 1.001)) ||
         ((fabs(c_excess) <= DBL_MAX) && !(fabs(c_excess) <= 0.001))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double m_x = b_x + c_x; /* heliostat-m */
     const double m_y = b_y + c_y; /* heliostat-m */
     const double m_z = b_z + c_z; /* heliostat-m */

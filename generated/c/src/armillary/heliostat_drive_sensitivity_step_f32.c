@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -23,6 +23,7 @@
 int heliostat_drive_sensitivity_setup_f32(
     const heliostat_params_f32 *p, const float b[3], heliostat_drive_sensitivity_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float theta = p->theta;
   const float psi = p->psi;
   const float chi = p->chi;
@@ -72,6 +73,7 @@ int heliostat_drive_sensitivity_setup_f32(
     ctx->m3 = sin_chi * sin_psi;
     ctx->m4 = cos_chi * sin_psi;
     ctx->m5 = t2;
+    ctx->ready = 0xbd671ff0UL;
   }
   return status;
 }
@@ -97,20 +99,23 @@ int heliostat_drive_sensitivity_step_f32(
   const float m4 = ctx->m4;
   const float m5 = ctx->m5;
   const float c_excess = ((c_x * c_x) + (c_y * c_y) + (c_z * c_z)) - 1.0f;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xbd671ff0UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(c_x) <= 1.001f) ||
       !(fabsf(c_y) <= 1.001f) ||
       !(fabsf(c_z) <= 1.001f) ||
       !(fabsf(c_excess) <= 0.001f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(c_x) <= FLT_MAX) && !(fabsf(c_x) <= 1.001f)) ||
         ((fabsf(c_y) <= FLT_MAX) && !(fabsf(c_y) <= 1.001f)) ||
         ((fabsf(c_z) <= FLT_MAX) && !(fabsf(c_z) <= 1.001f)) ||
         ((fabsf(c_excess) <= FLT_MAX) && !(fabsf(c_excess) <= 0.001f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float m_x = b_x + c_x; /* heliostat-m */
     const float m_y = b_y + c_y; /* heliostat-m */
     const float m_z = b_z + c_z; /* heliostat-m */

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -23,6 +23,7 @@
 int heliostat_drive_setup_f64(
     const heliostat_params_f64 *p, const double b[3], heliostat_drive_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double theta = p->theta;
   const double psi = p->psi;
   const double chi = p->chi;
@@ -67,6 +68,7 @@ int heliostat_drive_setup_f64(
     ctx->sin_chi = sin_chi;
     ctx->m1 = t1;
     ctx->m2 = 1.0e-12 * t1;
+    ctx->ready = 0x9f260530UL;
   }
   return status;
 }
@@ -88,20 +90,23 @@ int heliostat_drive_step_f64(
   const double m1 = ctx->m1;
   const double m2 = ctx->m2;
   const double c_excess = ((c_x * c_x) + (c_y * c_y) + (c_z * c_z)) - 1.0;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x9f260530UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(c_x) <= 1.001) ||
       !(fabs(c_y) <= 1.001) ||
       !(fabs(c_z) <= 1.001) ||
       !(fabs(c_excess) <= 0.001)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(c_x) <= DBL_MAX) && !(fabs(c_x) <= 1.001)) ||
         ((fabs(c_y) <= DBL_MAX) && !(fabs(c_y) <= 1.001)) ||
         ((fabs(c_z) <= DBL_MAX) && !(fabs(c_z) <= 1.001)) ||
         ((fabs(c_excess) <= DBL_MAX) && !(fabs(c_excess) <= 0.001))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double m_x = b_x + c_x; /* heliostat-m */
     const double m_y = b_y + c_y; /* heliostat-m */
     const double m_z = b_z + c_z; /* heliostat-m */

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -23,6 +23,7 @@
 int heliostat_encoder_inverse_setup_f32(
     const heliostat_params_f32 *p, heliostat_encoder_inverse_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float chi = p->chi;
   const float alpha_0 = p->alpha_0;
   const float beta_0 = p->beta_0;
@@ -55,6 +56,7 @@ int heliostat_encoder_inverse_setup_f32(
     ctx->alpha_0 = alpha_0;
     ctx->m3 = t1;
     ctx->m4 = 1.0e-12f * t1;
+    ctx->ready = 0x5fd8ec03UL;
   }
   return status;
 }
@@ -72,16 +74,19 @@ int heliostat_encoder_inverse_step_f32(
   const float alpha_0 = ctx->alpha_0;
   const float m3 = ctx->m3;
   const float m4 = ctx->m4;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x5fd8ec03UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha_reading) <= 1000.0f) ||
       !(fabsf(beta_reading) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha_reading) <= FLT_MAX) && !(fabsf(alpha_reading) <= 1000.0f)) ||
         ((fabsf(beta_reading) <= FLT_MAX) && !(fabsf(beta_reading) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float t1 = beta_reading - beta_0;
     const float t2 = sinf(t1);
     const float t3 = cosf(t1);

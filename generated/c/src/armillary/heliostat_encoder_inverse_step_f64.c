@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -25,6 +25,7 @@
 int heliostat_encoder_inverse_setup_f64(
     const heliostat_params_f64 *p, heliostat_encoder_inverse_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double chi = p->chi;
   const double alpha_0 = p->alpha_0;
   const double beta_0 = p->beta_0;
@@ -57,6 +58,7 @@ int heliostat_encoder_inverse_setup_f64(
     ctx->alpha_0 = alpha_0;
     ctx->m3 = t1;
     ctx->m4 = 1.0e-12 * t1;
+    ctx->ready = 0x30f363f7UL;
   }
   return status;
 }
@@ -74,16 +76,19 @@ int heliostat_encoder_inverse_step_f64(
   const double alpha_0 = ctx->alpha_0;
   const double m3 = ctx->m3;
   const double m4 = ctx->m4;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x30f363f7UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha_reading) <= 1000.0) ||
       !(fabs(beta_reading) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha_reading) <= DBL_MAX) && !(fabs(alpha_reading) <= 1000.0)) ||
         ((fabs(beta_reading) <= DBL_MAX) && !(fabs(beta_reading) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double t1 = beta_reading - beta_0;
     const double t2 = sin(t1);
     const double t3 = cos(t1);

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -20,6 +20,7 @@
 
 int heliostat_encoder_setup_f32(const heliostat_params_f32 *p, heliostat_encoder_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float chi = p->chi;
   const float alpha_0 = p->alpha_0;
   const float beta_0 = p->beta_0;
@@ -52,6 +53,7 @@ int heliostat_encoder_setup_f32(const heliostat_params_f32 *p, heliostat_encoder
     ctx->cos_beta_0 = cos_beta_0;
     ctx->sin_beta_0 = sin_beta_0;
     ctx->m2 = 1.0e-12f * t1;
+    ctx->ready = 0x6ab65b37UL;
   }
   return status;
 }
@@ -68,16 +70,19 @@ int heliostat_encoder_step_f32(
   const float cos_beta_0 = ctx->cos_beta_0;
   const float sin_beta_0 = ctx->sin_beta_0;
   const float m2 = ctx->m2;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x6ab65b37UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_beta = sinf(beta);
     const float cos_beta = cosf(beta);
     const float t1 = sin_chi * sin_beta;

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@
 
 int heliostat_encoder_setup_f64(const heliostat_params_f64 *p, heliostat_encoder_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double chi = p->chi;
   const double alpha_0 = p->alpha_0;
   const double beta_0 = p->beta_0;
@@ -54,6 +55,7 @@ int heliostat_encoder_setup_f64(const heliostat_params_f64 *p, heliostat_encoder
     ctx->cos_beta_0 = cos_beta_0;
     ctx->sin_beta_0 = sin_beta_0;
     ctx->m2 = 1.0e-12 * t1;
+    ctx->ready = 0x8c2b2773UL;
   }
   return status;
 }
@@ -70,16 +72,19 @@ int heliostat_encoder_step_f64(
   const double cos_beta_0 = ctx->cos_beta_0;
   const double sin_beta_0 = ctx->sin_beta_0;
   const double m2 = ctx->m2;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x8c2b2773UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double sin_beta = sin(beta);
     const double cos_beta = cos(beta);
     const double t1 = sin_chi * sin_beta;

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@ int heliostat_miss_setup_f32(
     const heliostat_params_f32 *p, const float position[3], const float aim_point[3],
     heliostat_miss_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float theta = p->theta;
   const float psi = p->psi;
   const float chi = p->chi;
@@ -67,18 +68,23 @@ int heliostat_miss_setup_f32(
     const float sin_theta = sinf(theta);
     const float cos_theta = cosf(theta);
     const int on_mirror = distance < 1.0e-6f; /* heliostat-on_mirror */
-    ctx->sin_chi = sin_chi;
-    ctx->cos_chi = cos_chi;
-    ctx->cos_psi = cos_psi;
-    ctx->sin_psi = sin_psi;
-    ctx->cos_theta = cos_theta;
-    ctx->sin_theta = sin_theta;
-    ctx->way_z = way_z;
-    ctx->way_y = way_y;
-    ctx->way_x = way_x;
-    ctx->distance = distance;
-    ctx->m1 = 1.0e-6f * distance;
-    ctx->on_mirror = on_mirror;
+    if (on_mirror) {
+      status = ARMILLARY_UNREACHABLE;
+    }
+    if (status >= 0) {
+      ctx->sin_chi = sin_chi;
+      ctx->cos_chi = cos_chi;
+      ctx->cos_psi = cos_psi;
+      ctx->sin_psi = sin_psi;
+      ctx->cos_theta = cos_theta;
+      ctx->sin_theta = sin_theta;
+      ctx->way_z = way_z;
+      ctx->way_y = way_y;
+      ctx->way_x = way_x;
+      ctx->distance = distance;
+      ctx->m1 = 1.0e-6f * distance;
+      ctx->ready = 0x2e001b5eUL;
+    }
   }
   return status;
 }
@@ -100,9 +106,8 @@ int heliostat_miss_step_f32(
   const float way_x = ctx->way_x;
   const float distance = ctx->distance;
   const float m1 = ctx->m1;
-  const int on_mirror = ctx->on_mirror;
   const float c_excess = ((c_x * c_x) + (c_y * c_y) + (c_z * c_z)) - 1.0f;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x2e001b5eUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(c_x) <= 1.001f) ||
       !(fabsf(c_y) <= 1.001f) ||
@@ -110,7 +115,9 @@ int heliostat_miss_step_f32(
       !(fabsf(c_excess) <= 0.001f) ||
       !(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(c_x) <= FLT_MAX) && !(fabsf(c_x) <= 1.001f)) ||
         ((fabsf(c_y) <= FLT_MAX) && !(fabsf(c_y) <= 1.001f)) ||
         ((fabsf(c_z) <= FLT_MAX) && !(fabsf(c_z) <= 1.001f)) ||
@@ -119,7 +126,8 @@ int heliostat_miss_step_f32(
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_beta = sinf(beta);
     const float cos_beta = cosf(beta);
     const float t1 = sin_chi * sin_beta;
@@ -149,9 +157,6 @@ int heliostat_miss_step_f32(
     const float miss_value = (distance * t13) / t15; /* heliostat-miss */
     const int t16 = 0.0f < t7;
     const int unlit = !t16; /* heliostat-unlit */
-    if (on_mirror) {
-      status = ARMILLARY_UNREACHABLE;
-    }
     if (astray) {
       status = ARMILLARY_UNREACHABLE;
     }

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -24,6 +24,7 @@ int heliostat_miss_setup_f64(
     const heliostat_params_f64 *p, const double position[3], const double aim_point[3],
     heliostat_miss_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double theta = p->theta;
   const double psi = p->psi;
   const double chi = p->chi;
@@ -69,18 +70,23 @@ int heliostat_miss_setup_f64(
     const double sin_theta = sin(theta);
     const double cos_theta = cos(theta);
     const int on_mirror = distance < 1.0e-6; /* heliostat-on_mirror */
-    ctx->sin_chi = sin_chi;
-    ctx->cos_chi = cos_chi;
-    ctx->cos_psi = cos_psi;
-    ctx->sin_psi = sin_psi;
-    ctx->cos_theta = cos_theta;
-    ctx->sin_theta = sin_theta;
-    ctx->way_z = way_z;
-    ctx->way_y = way_y;
-    ctx->way_x = way_x;
-    ctx->distance = distance;
-    ctx->m1 = 1.0e-6 * distance;
-    ctx->on_mirror = on_mirror;
+    if (on_mirror) {
+      status = ARMILLARY_UNREACHABLE;
+    }
+    if (status >= 0) {
+      ctx->sin_chi = sin_chi;
+      ctx->cos_chi = cos_chi;
+      ctx->cos_psi = cos_psi;
+      ctx->sin_psi = sin_psi;
+      ctx->cos_theta = cos_theta;
+      ctx->sin_theta = sin_theta;
+      ctx->way_z = way_z;
+      ctx->way_y = way_y;
+      ctx->way_x = way_x;
+      ctx->distance = distance;
+      ctx->m1 = 1.0e-6 * distance;
+      ctx->ready = 0x55aacffeUL;
+    }
   }
   return status;
 }
@@ -102,9 +108,8 @@ int heliostat_miss_step_f64(
   const double way_x = ctx->way_x;
   const double distance = ctx->distance;
   const double m1 = ctx->m1;
-  const int on_mirror = ctx->on_mirror;
   const double c_excess = ((c_x * c_x) + (c_y * c_y) + (c_z * c_z)) - 1.0;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x55aacffeUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(c_x) <= 1.001) ||
       !(fabs(c_y) <= 1.001) ||
@@ -112,7 +117,9 @@ int heliostat_miss_step_f64(
       !(fabs(c_excess) <= 0.001) ||
       !(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(c_x) <= DBL_MAX) && !(fabs(c_x) <= 1.001)) ||
         ((fabs(c_y) <= DBL_MAX) && !(fabs(c_y) <= 1.001)) ||
         ((fabs(c_z) <= DBL_MAX) && !(fabs(c_z) <= 1.001)) ||
@@ -121,7 +128,8 @@ int heliostat_miss_step_f64(
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double sin_beta = sin(beta);
     const double cos_beta = cos(beta);
     const double t1 = sin_chi * sin_beta;
@@ -151,9 +159,6 @@ int heliostat_miss_step_f64(
     const double miss_value = (distance * t13) / t15; /* heliostat-miss */
     const int t16 = 0.0 < t7;
     const int unlit = !t16; /* heliostat-unlit */
-    if (on_mirror) {
-      status = ARMILLARY_UNREACHABLE;
-    }
     if (astray) {
       status = ARMILLARY_UNREACHABLE;
     }

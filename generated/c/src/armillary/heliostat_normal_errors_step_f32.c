@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -21,6 +21,7 @@
 int heliostat_normal_errors_setup_f32(
     const heliostat_params_f32 *p, heliostat_normal_errors_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float psi = p->psi;
   const float chi = p->chi;
   int status = ARMILLARY_OK;
@@ -43,6 +44,7 @@ int heliostat_normal_errors_setup_f32(
     ctx->cos_psi = cos_psi;
     ctx->m2 = sin_psi * cos_chi;
     ctx->m3 = sin_psi * sin_chi;
+    ctx->ready = 0x933a0279UL;
   }
   return status;
 }
@@ -57,16 +59,19 @@ int heliostat_normal_errors_step_f32(
   const float cos_psi = ctx->cos_psi;
   const float m2 = ctx->m2;
   const float m3 = ctx->m3;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x933a0279UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_beta = sinf(beta);
     const float cos_beta = cosf(beta);
     const float t1 = sin_chi * cos_beta;

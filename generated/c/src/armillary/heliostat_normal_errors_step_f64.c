@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -23,6 +23,7 @@
 int heliostat_normal_errors_setup_f64(
     const heliostat_params_f64 *p, heliostat_normal_errors_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double psi = p->psi;
   const double chi = p->chi;
   int status = ARMILLARY_OK;
@@ -45,6 +46,7 @@ int heliostat_normal_errors_setup_f64(
     ctx->cos_psi = cos_psi;
     ctx->m2 = sin_psi * cos_chi;
     ctx->m3 = sin_psi * sin_chi;
+    ctx->ready = 0xf268a9c4UL;
   }
   return status;
 }
@@ -59,16 +61,19 @@ int heliostat_normal_errors_step_f64(
   const double cos_psi = ctx->cos_psi;
   const double m2 = ctx->m2;
   const double m3 = ctx->m3;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xf268a9c4UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double sin_beta = sin(beta);
     const double cos_beta = cos(beta);
     const double t1 = sin_chi * cos_beta;

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -20,6 +20,7 @@
 
 int heliostat_normal_setup_f32(const heliostat_params_f32 *p, heliostat_normal_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float theta = p->theta;
   const float psi = p->psi;
   const float chi = p->chi;
@@ -47,6 +48,7 @@ int heliostat_normal_setup_f32(const heliostat_params_f32 *p, heliostat_normal_c
     ctx->sin_psi = sin_psi;
     ctx->cos_theta = cos_theta;
     ctx->sin_theta = sin_theta;
+    ctx->ready = 0xe4210a8aUL;
   }
   return status;
 }
@@ -60,16 +62,19 @@ int heliostat_normal_step_f32(
   const float sin_psi = ctx->sin_psi;
   const float cos_theta = ctx->cos_theta;
   const float sin_theta = ctx->sin_theta;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xe4210a8aUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_beta = sinf(beta);
     const float cos_beta = cosf(beta);
     const float t1 = sin_chi * sin_beta;

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@
 
 int heliostat_normal_setup_f64(const heliostat_params_f64 *p, heliostat_normal_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double theta = p->theta;
   const double psi = p->psi;
   const double chi = p->chi;
@@ -49,6 +50,7 @@ int heliostat_normal_setup_f64(const heliostat_params_f64 *p, heliostat_normal_c
     ctx->sin_psi = sin_psi;
     ctx->cos_theta = cos_theta;
     ctx->sin_theta = sin_theta;
+    ctx->ready = 0x93e2b0c2UL;
   }
   return status;
 }
@@ -62,16 +64,19 @@ int heliostat_normal_step_f64(
   const double sin_psi = ctx->sin_psi;
   const double cos_theta = ctx->cos_theta;
   const double sin_theta = ctx->sin_theta;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x93e2b0c2UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double sin_beta = sin(beta);
     const double cos_beta = cos(beta);
     const double t1 = sin_chi * sin_beta;

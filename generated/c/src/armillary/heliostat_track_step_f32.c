@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -21,6 +21,7 @@
 int heliostat_track_setup_f32(
     const heliostat_params_f32 *p, float latitude, const float b[3], heliostat_track_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float theta = p->theta;
   const float psi = p->psi;
   const float chi = p->chi;
@@ -76,6 +77,7 @@ int heliostat_track_setup_f32(
     ctx->sin_chi = sin_chi;
     ctx->m10 = t4;
     ctx->m11 = 1.0e-12f * t4;
+    ctx->ready = 0x7e82a2b0UL;
   }
   return status;
 }
@@ -98,16 +100,19 @@ int heliostat_track_step_f32(
   const float sin_chi = ctx->sin_chi;
   const float m10 = ctx->m10;
   const float m11 = ctx->m11;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x7e82a2b0UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(declination) <= 1000.0f) ||
       !(fabsf(hour_angle) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(declination) <= FLT_MAX) && !(fabsf(declination) <= 1000.0f)) ||
         ((fabsf(hour_angle) <= FLT_MAX) && !(fabsf(hour_angle) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_declination = sinf(declination);
     const float cos_declination = cosf(declination);
     const float sin_hour_angle = sinf(hour_angle);

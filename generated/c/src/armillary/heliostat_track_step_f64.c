@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0x1b9d2fa5UL)
+#if !defined(ARMILLARY_HELIOSTAT_ABI) || (ARMILLARY_HELIOSTAT_ABI != 0xd89ba519UL)
 #error "heliostat.h is of another version than this file: copy both from one release"
 #endif
 
@@ -24,6 +24,7 @@ int heliostat_track_setup_f64(
     const heliostat_params_f64 *p, double latitude, const double b[3],
     heliostat_track_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double theta = p->theta;
   const double psi = p->psi;
   const double chi = p->chi;
@@ -79,6 +80,7 @@ int heliostat_track_setup_f64(
     ctx->sin_chi = sin_chi;
     ctx->m10 = t4;
     ctx->m11 = 1.0e-12 * t4;
+    ctx->ready = 0x45f70715UL;
   }
   return status;
 }
@@ -101,16 +103,19 @@ int heliostat_track_step_f64(
   const double sin_chi = ctx->sin_chi;
   const double m10 = ctx->m10;
   const double m11 = ctx->m11;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x45f70715UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(declination) <= 1000.0) ||
       !(fabs(hour_angle) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(declination) <= DBL_MAX) && !(fabs(declination) <= 1000.0)) ||
         ((fabs(hour_angle) <= DBL_MAX) && !(fabs(hour_angle) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double sin_declination = sin(declination);
     const double cos_declination = cos(declination);
     const double sin_hour_angle = sin(hour_angle);

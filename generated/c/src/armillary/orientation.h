@@ -3,12 +3,15 @@
  * @file orientation.h
  * @brief Orientation triples.
  *
- * SI units, radians, right-handed frames; vectors at the boundary are local
- * east-north-up unless stated. Matrices are flat and row-major. Every function returns
- * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written. No pointer may be null. Inputs are read
- * before results are written, so they may overlap. Where an input and a result have one
- * name, the result's argument ends in _out.
+ * SI units, radians, right-handed frames; vectors at the boundary are local east-north-up
+ * unless stated. Matrices are flat and row-major. Every function returns an ARMILLARY status:
+ * 0 is OK, positive means every result is defined and finite, negative means that no result
+ * was written. No pointer may be null. Inputs are read before results are written, so they
+ * may overlap.
+ *
+ * Where an input and a result have one name, the result's argument ends in _out. A letter
+ * that headers of C, Arduino or AVR define as a macro (F, I) is nobody's name here: such a
+ * result ends in _out too, and such an input has a longer name.
  */
 #ifndef ARMILLARY_ORIENTATION_H
 #define ARMILLARY_ORIENTATION_H
@@ -18,7 +21,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_ORIENTATION_ABI 0x7bf9d59fUL
+#define ARMILLARY_ORIENTATION_ABI 0xbdca9d5eUL
 
 #ifdef __cplusplus
 extern "C" {
@@ -29,11 +32,11 @@ extern "C" {
  *
  * Cost: 18 flops (14 mul, 4 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[out] R attitude by the ZXZ triple, 3 by 3, row-major (orientation-R_zxz)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -44,14 +47,17 @@ int orientation_matrix_zxz_f32(float a, float b, float c, float R[9]);
  *
  * Cost: 9 flops (6 mul, 3 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
- * @param[in] a_dot rate of a, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
- * @param[in] b_dot rate of b, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
- * @param[in] c_dot rate of c, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
+ *     working range [-3.2, 3.2]; each tick
+ * @param[in] a_dot rate of a, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
+ * @param[in] b_dot rate of b, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
+ * @param[in] c_dot rate of c, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
  * @param[out] Omega angular velocity of the body in base axes, vee(Rdot R^T), rad/s
  *     (orientation-Omega_zxz)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -64,11 +70,11 @@ int orientation_velocity_zxz_f32(
  *
  * Cost: 18 flops (14 mul, 4 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[out] R attitude by the ZYZ triple, 3 by 3, row-major (orientation-R_zyz)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -79,14 +85,17 @@ int orientation_matrix_zyz_f32(float a, float b, float c, float R[9]);
  *
  * Cost: 9 flops (6 mul, 3 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
- * @param[in] a_dot rate of a, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
- * @param[in] b_dot rate of b, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
- * @param[in] c_dot rate of c, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
+ *     working range [-3.2, 3.2]; each tick
+ * @param[in] a_dot rate of a, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
+ * @param[in] b_dot rate of b, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
+ * @param[in] c_dot rate of c, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
  * @param[out] Omega angular velocity of the body in base axes, vee(Rdot R^T), rad/s
  *     (orientation-Omega_zyz)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -99,11 +108,11 @@ int orientation_velocity_zyz_f32(
  *
  * Cost: 18 flops (14 mul, 4 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[out] R attitude by the ZYX triple, 3 by 3, row-major (orientation-R_zyx)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -115,14 +124,17 @@ int orientation_matrix_zyx_f32(float a, float b, float c, float R[9]);
  *
  * Cost: 9 flops (6 mul, 3 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
- * @param[in] a_dot rate of a, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
- * @param[in] b_dot rate of b, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
- * @param[in] c_dot rate of c, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
+ *     working range [-3.2, 3.2]; each tick
+ * @param[in] a_dot rate of a, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
+ * @param[in] b_dot rate of b, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
+ * @param[in] c_dot rate of c, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
  * @param[out] Omega angular velocity of the body in base axes, vee(Rdot R^T), rad/s
  *     (orientation-Omega_zyx)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -135,11 +147,11 @@ int orientation_velocity_zyx_f32(
  *
  * Cost: 19 flops (14 mul, 5 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[out] R attitude by tilt and torsion, 3 by 3, row-major (orientation-R_tilt_torsion)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -150,14 +162,17 @@ int orientation_matrix_tilt_torsion_f32(float a, float b, float c, float R[9]);
  *
  * Cost: 10 flops (6 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
- * @param[in] a_dot rate of a, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
- * @param[in] b_dot rate of b, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
- * @param[in] c_dot rate of c, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
+ *     working range [-3.2, 3.2]; each tick
+ * @param[in] a_dot rate of a, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
+ * @param[in] b_dot rate of b, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
+ * @param[in] c_dot rate of c, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
  * @param[out] Omega angular velocity of the body in base axes, vee(Rdot R^T), rad/s
  *     (orientation-Omega_tilt_torsion)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -171,7 +186,7 @@ int orientation_velocity_tilt_torsion_f32(
  * Cost: 10 flops (6 mul, 3 add, 0 div, 1 sqrt), 0 sin/cos, 3 atan2.
  * @param[in] R attitude: its columns are the body's axes in the base, rotation matrix, 3 by 3,
  *     row-major; refused when a column's square or the dot product of two columns is off by more
- *     than 1e-3, or its determinant is negative
+ *     than 1e-3, or its determinant is negative; each tick
  * @param[out] a first angle of ZXZ, in [-pi, pi], rad (orientation-a_zxz)
  * @param[out] b angle between the third axes of base and body, in [0, pi], rad
  *     (orientation-b_euler)
@@ -188,7 +203,7 @@ int orientation_angles_zxz_f32(const float R[9], float *a, float *b, float *c);
  * Cost: 10 flops (6 mul, 3 add, 0 div, 1 sqrt), 0 sin/cos, 3 atan2.
  * @param[in] R attitude: its columns are the body's axes in the base, rotation matrix, 3 by 3,
  *     row-major; refused when a column's square or the dot product of two columns is off by more
- *     than 1e-3, or its determinant is negative
+ *     than 1e-3, or its determinant is negative; each tick
  * @param[out] a first angle of ZYZ and direction of the tilt, in [-pi, pi], rad
  *     (orientation-a_zyz)
  * @param[out] b angle between the third axes of base and body, in [0, pi], rad
@@ -206,7 +221,7 @@ int orientation_angles_zyz_f32(const float R[9], float *a, float *b, float *c);
  * Cost: 10 flops (6 mul, 3 add, 0 div, 1 sqrt), 0 sin/cos, 3 atan2.
  * @param[in] R attitude: its columns are the body's axes in the base, rotation matrix, 3 by 3,
  *     row-major; refused when a column's square or the dot product of two columns is off by more
- *     than 1e-3, or its determinant is negative
+ *     than 1e-3, or its determinant is negative; each tick
  * @param[out] a first angle of ZYX, in [-pi, pi], rad (orientation-a_zyx)
  * @param[out] b second angle of ZYX, in [-pi/2, pi/2], rad (orientation-b_zyx)
  * @param[out] c third angle of ZYX, in [-pi, pi], rad (orientation-c_zyx)
@@ -221,7 +236,7 @@ int orientation_angles_zyx_f32(const float R[9], float *a, float *b, float *c);
  * Cost: 18 flops (10 mul, 7 add, 0 div, 1 sqrt), 0 sin/cos, 3 atan2.
  * @param[in] R attitude: its columns are the body's axes in the base, rotation matrix, 3 by 3,
  *     row-major; refused when a column's square or the dot product of two columns is off by more
- *     than 1e-3, or its determinant is negative
+ *     than 1e-3, or its determinant is negative; each tick
  * @param[out] a first angle of ZYZ and direction of the tilt, in [-pi, pi], rad
  *     (orientation-a_zyz)
  * @param[out] b angle between the third axes of base and body, in [0, pi], rad
@@ -239,13 +254,13 @@ int orientation_angles_tilt_torsion_f32(const float R[9], float *a, float *b, fl
  *
  * Cost: 10 flops (6 mul, 3 add, 1 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] Omega angular velocity of the body in base axes, rad/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] a_dot rate of the first angle of ZXZ, rad/s (orientation-a_dot_zxz)
  * @param[out] b_dot b_dot, rad/s
  * @param[out] c_dot rate of the third angle of ZXZ, rad/s (orientation-c_dot_zxz)
@@ -261,13 +276,13 @@ int orientation_rates_zxz_f32(
  *
  * Cost: 10 flops (6 mul, 3 add, 1 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] Omega angular velocity of the body in base axes, rad/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] a_dot rate of the first angle of ZYZ and of the direction of the tilt, rad/s
  *     (orientation-a_dot_zyz)
  * @param[out] b_dot b_dot, rad/s
@@ -285,13 +300,13 @@ int orientation_rates_zyz_f32(
  *
  * Cost: 10 flops (6 mul, 3 add, 1 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] Omega angular velocity of the body in base axes, rad/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] a_dot rate of the first angle of ZYX, rad/s (orientation-a_dot_zyx)
  * @param[out] b_dot b_dot, rad/s
  * @param[out] c_dot rate of the third angle of ZYX, rad/s (orientation-c_dot_zyx)
@@ -307,13 +322,13 @@ int orientation_rates_zyx_f32(
  *
  * Cost: 18 flops (11 mul, 5 add, 2 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] Omega angular velocity of the body in base axes, rad/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] a_dot rate of the first angle of ZYZ and of the direction of the tilt, rad/s
  *     (orientation-a_dot_zyz)
  * @param[out] b_dot b_dot, rad/s
@@ -332,11 +347,11 @@ int orientation_rates_tilt_torsion_f32(
  *
  * Cost: 18 flops (14 mul, 4 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[out] R attitude by the ZXZ triple, 3 by 3, row-major (orientation-R_zxz)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -347,14 +362,17 @@ int orientation_matrix_zxz_f64(double a, double b, double c, double R[9]);
  *
  * Cost: 9 flops (6 mul, 3 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
- * @param[in] a_dot rate of a, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
- * @param[in] b_dot rate of b, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
- * @param[in] c_dot rate of c, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
+ *     working range [-3.2, 3.2]; each tick
+ * @param[in] a_dot rate of a, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
+ * @param[in] b_dot rate of b, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
+ * @param[in] c_dot rate of c, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
  * @param[out] Omega angular velocity of the body in base axes, vee(Rdot R^T), rad/s
  *     (orientation-Omega_zxz)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -367,11 +385,11 @@ int orientation_velocity_zxz_f64(
  *
  * Cost: 18 flops (14 mul, 4 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[out] R attitude by the ZYZ triple, 3 by 3, row-major (orientation-R_zyz)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -382,14 +400,17 @@ int orientation_matrix_zyz_f64(double a, double b, double c, double R[9]);
  *
  * Cost: 9 flops (6 mul, 3 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
- * @param[in] a_dot rate of a, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
- * @param[in] b_dot rate of b, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
- * @param[in] c_dot rate of c, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
+ *     working range [-3.2, 3.2]; each tick
+ * @param[in] a_dot rate of a, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
+ * @param[in] b_dot rate of b, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
+ * @param[in] c_dot rate of c, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
  * @param[out] Omega angular velocity of the body in base axes, vee(Rdot R^T), rad/s
  *     (orientation-Omega_zyz)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -402,11 +423,11 @@ int orientation_velocity_zyz_f64(
  *
  * Cost: 18 flops (14 mul, 4 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[out] R attitude by the ZYX triple, 3 by 3, row-major (orientation-R_zyx)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -418,14 +439,17 @@ int orientation_matrix_zyx_f64(double a, double b, double c, double R[9]);
  *
  * Cost: 9 flops (6 mul, 3 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
- * @param[in] a_dot rate of a, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
- * @param[in] b_dot rate of b, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
- * @param[in] c_dot rate of c, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
+ *     working range [-3.2, 3.2]; each tick
+ * @param[in] a_dot rate of a, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
+ * @param[in] b_dot rate of b, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
+ * @param[in] c_dot rate of c, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
  * @param[out] Omega angular velocity of the body in base axes, vee(Rdot R^T), rad/s
  *     (orientation-Omega_zyx)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -438,11 +462,11 @@ int orientation_velocity_zyx_f64(
  *
  * Cost: 19 flops (14 mul, 5 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[out] R attitude by tilt and torsion, 3 by 3, row-major (orientation-R_tilt_torsion)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -453,14 +477,17 @@ int orientation_matrix_tilt_torsion_f64(double a, double b, double c, double R[9
  *
  * Cost: 10 flops (6 mul, 4 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
- * @param[in] a_dot rate of a, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
- * @param[in] b_dot rate of b, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
- * @param[in] c_dot rate of c, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
+ *     working range [-3.2, 3.2]; each tick
+ * @param[in] a_dot rate of a, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
+ * @param[in] b_dot rate of b, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
+ * @param[in] c_dot rate of c, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
  * @param[out] Omega angular velocity of the body in base axes, vee(Rdot R^T), rad/s
  *     (orientation-Omega_tilt_torsion)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -474,7 +501,7 @@ int orientation_velocity_tilt_torsion_f64(
  * Cost: 10 flops (6 mul, 3 add, 0 div, 1 sqrt), 0 sin/cos, 3 atan2.
  * @param[in] R attitude: its columns are the body's axes in the base, rotation matrix, 3 by 3,
  *     row-major; refused when a column's square or the dot product of two columns is off by more
- *     than 1e-3, or its determinant is negative
+ *     than 1e-3, or its determinant is negative; each tick
  * @param[out] a first angle of ZXZ, in [-pi, pi], rad (orientation-a_zxz)
  * @param[out] b angle between the third axes of base and body, in [0, pi], rad
  *     (orientation-b_euler)
@@ -491,7 +518,7 @@ int orientation_angles_zxz_f64(const double R[9], double *a, double *b, double *
  * Cost: 10 flops (6 mul, 3 add, 0 div, 1 sqrt), 0 sin/cos, 3 atan2.
  * @param[in] R attitude: its columns are the body's axes in the base, rotation matrix, 3 by 3,
  *     row-major; refused when a column's square or the dot product of two columns is off by more
- *     than 1e-3, or its determinant is negative
+ *     than 1e-3, or its determinant is negative; each tick
  * @param[out] a first angle of ZYZ and direction of the tilt, in [-pi, pi], rad
  *     (orientation-a_zyz)
  * @param[out] b angle between the third axes of base and body, in [0, pi], rad
@@ -509,7 +536,7 @@ int orientation_angles_zyz_f64(const double R[9], double *a, double *b, double *
  * Cost: 10 flops (6 mul, 3 add, 0 div, 1 sqrt), 0 sin/cos, 3 atan2.
  * @param[in] R attitude: its columns are the body's axes in the base, rotation matrix, 3 by 3,
  *     row-major; refused when a column's square or the dot product of two columns is off by more
- *     than 1e-3, or its determinant is negative
+ *     than 1e-3, or its determinant is negative; each tick
  * @param[out] a first angle of ZYX, in [-pi, pi], rad (orientation-a_zyx)
  * @param[out] b second angle of ZYX, in [-pi/2, pi/2], rad (orientation-b_zyx)
  * @param[out] c third angle of ZYX, in [-pi, pi], rad (orientation-c_zyx)
@@ -524,7 +551,7 @@ int orientation_angles_zyx_f64(const double R[9], double *a, double *b, double *
  * Cost: 18 flops (10 mul, 7 add, 0 div, 1 sqrt), 0 sin/cos, 3 atan2.
  * @param[in] R attitude: its columns are the body's axes in the base, rotation matrix, 3 by 3,
  *     row-major; refused when a column's square or the dot product of two columns is off by more
- *     than 1e-3, or its determinant is negative
+ *     than 1e-3, or its determinant is negative; each tick
  * @param[out] a first angle of ZYZ and direction of the tilt, in [-pi, pi], rad
  *     (orientation-a_zyz)
  * @param[out] b angle between the third axes of base and body, in [0, pi], rad
@@ -542,13 +569,13 @@ int orientation_angles_tilt_torsion_f64(const double R[9], double *a, double *b,
  *
  * Cost: 10 flops (6 mul, 3 add, 1 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] Omega angular velocity of the body in base axes, rad/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] a_dot rate of the first angle of ZXZ, rad/s (orientation-a_dot_zxz)
  * @param[out] b_dot b_dot, rad/s
  * @param[out] c_dot rate of the third angle of ZXZ, rad/s (orientation-c_dot_zxz)
@@ -565,13 +592,13 @@ int orientation_rates_zxz_f64(
  *
  * Cost: 10 flops (6 mul, 3 add, 1 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] Omega angular velocity of the body in base axes, rad/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] a_dot rate of the first angle of ZYZ and of the direction of the tilt, rad/s
  *     (orientation-a_dot_zyz)
  * @param[out] b_dot b_dot, rad/s
@@ -590,13 +617,13 @@ int orientation_rates_zyz_f64(
  *
  * Cost: 10 flops (6 mul, 3 add, 1 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] Omega angular velocity of the body in base axes, rad/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] a_dot rate of the first angle of ZYX, rad/s (orientation-a_dot_zyx)
  * @param[out] b_dot b_dot, rad/s
  * @param[out] c_dot rate of the third angle of ZYX, rad/s (orientation-c_dot_zyx)
@@ -613,13 +640,13 @@ int orientation_rates_zyx_f64(
  *
  * Cost: 18 flops (11 mul, 5 add, 2 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] a first angle; of tilt and torsion the direction of the tilt, rad, refused outside
- *     [-1000, 1000], working range [-3.2, 3.2]
+ *     [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] b second angle; of tilt and torsion the tilt, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] c third angle; of tilt and torsion the torsion, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] Omega angular velocity of the body in base axes, rad/s, refused outside [-1e+06,
- *     1e+06], working range [-1, 1]
+ *     1e+06], working range [-1, 1]; each tick
  * @param[out] a_dot rate of the first angle of ZYZ and of the direction of the tilt, rad/s
  *     (orientation-a_dot_zyz)
  * @param[out] b_dot b_dot, rad/s

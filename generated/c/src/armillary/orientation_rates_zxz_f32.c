@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_ORIENTATION_ABI) || (ARMILLARY_ORIENTATION_ABI != 0x7bf9d59fUL)
+#if !defined(ARMILLARY_ORIENTATION_ABI) || (ARMILLARY_ORIENTATION_ABI != 0xbdca9d5eUL)
 #error "orientation.h is of another version than this file: copy both from one release"
 #endif
 

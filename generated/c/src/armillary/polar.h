@@ -3,12 +3,19 @@
  * @file polar.h
  * @brief Polar tracker.
  *
- * SI units, radians, right-handed frames; vectors at the boundary are local
- * east-north-up unless stated. Matrices are flat and row-major. Every function returns
- * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written. No pointer may be null. Inputs are read
- * before results are written, so they may overlap. Where an input and a result have one
- * name, the result's argument ends in _out.
+ * SI units, radians, right-handed frames; vectors at the boundary are local east-north-up
+ * unless stated. Matrices are flat and row-major. Every function returns an ARMILLARY status:
+ * 0 is OK, positive means every result is defined and finite, negative means that no result
+ * was written. No pointer may be null. Inputs are read before results are written, so they
+ * may overlap.
+ *
+ * Where an input and a result have one name, the result's argument ends in _out. A letter
+ * that headers of C, Arduino or AVR define as a macro (F, I) is nobody's name here: such a
+ * result ends in _out too, and such an input has a longer name.
+ *
+ * X_setup does what X does with all that the mount holds, once, and leaves it in a ctx;
+ * X_step does the rest, each time. A kernel whose step would cost no less than itself has
+ * neither.
  */
 #ifndef ARMILLARY_POLAR_H
 #define ARMILLARY_POLAR_H
@@ -18,13 +25,13 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_POLAR_ABI 0xb7533d8eUL
+#define ARMILLARY_POLAR_ABI 0x7d6a17a4UL
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/** Parameters of the polar system. */
+/** Parameters of the polar system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** Height of the column, up to the fixed tilt, m, refused outside [0, 1e+06], working range [0,
       10]. */
@@ -44,19 +51,27 @@ typedef struct {
  * Cost: 26 flops (19 mul, 7 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
+ * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2];
+ *     each tick
  * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
  *     rotation beside the position of its origin in m, 4 by 4, row-major (polar-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see polar_pose_setup_f32
+ * @see polar_pose_step_f32
  */
 int polar_pose_f32(const polar_params_f32 *p, float epsilon, float D, float M[16]);
 
 /**
  * @brief What pose_setup hands to pose_step: 5 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of pose_setup and a mark from its end, if it did not refuse.
+ *     Without the mark pose_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float cos_incl;
   float sin_incl;
   float L_2;
@@ -68,10 +83,14 @@ typedef struct {
  * @brief Set-up of pose: all of it that changes with the mount only.
  *
  * Cost: 3 flops (2 mul, 1 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what pose_step reads; untouched where the status is negative
+ * @param[out] ctx what pose_step reads; not ready where the status is negative, whatever it held
+ *     before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see polar_pose_f32
+ * @see polar_pose_step_f32
  */
 int polar_pose_setup_f32(const polar_params_f32 *p, polar_pose_ctx_f32 *ctx);
 
@@ -79,13 +98,17 @@ int polar_pose_setup_f32(const polar_params_f32 *p, polar_pose_ctx_f32 *ctx);
  * @brief Step of pose. Pose of the collector.
  *
  * Cost: 23 flops (17 mul, 6 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what pose_setup left, its status not negative
+ * @param[in] ctx what pose_setup left; refused if it is not ready
  * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
+ * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2];
+ *     each tick
  * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
  *     rotation beside the position of its origin in m, 4 by 4, row-major (polar-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see polar_pose_f32
+ * @see polar_pose_setup_f32
  */
 int polar_pose_step_f32(const polar_pose_ctx_f32 *ctx, float epsilon, float D, float M[16]);
 
@@ -95,11 +118,13 @@ int polar_pose_step_f32(const polar_pose_ctx_f32 *ctx, float epsilon, float D, f
  * Cost: 36 flops (28 mul, 8 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
+ * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2];
+ *     each tick
  * @param[in] epsilon_dot rate of epsilon, rad/s, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
- * @param[in] D_dot rate of D, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
+ *     [-1, 1]; each tick
+ * @param[in] D_dot rate of D, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
  * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
  *     (polar-Omega_space)
  * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
@@ -112,6 +137,8 @@ int polar_pose_step_f32(const polar_pose_ctx_f32 *ctx, float epsilon, float D, f
  *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
  *     (polar-V_space)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see polar_velocity_setup_f32
+ * @see polar_velocity_step_f32
  */
 int polar_velocity_f32(
     const polar_params_f32 *p, float epsilon, float D, float epsilon_dot, float D_dot,
@@ -120,9 +147,14 @@ int polar_velocity_f32(
 
 /**
  * @brief What velocity_setup hands to velocity_step: 5 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of velocity_setup and a mark from its end, if it did not refuse.
+ *     Without the mark velocity_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a
+ *     machine does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float cos_incl;
   float sin_incl;
   float L_2;
@@ -134,10 +166,14 @@ typedef struct {
  * @brief Set-up of velocity: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what velocity_step reads; untouched where the status is negative
+ * @param[out] ctx what velocity_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see polar_velocity_f32
+ * @see polar_velocity_step_f32
  */
 int polar_velocity_setup_f32(const polar_params_f32 *p, polar_velocity_ctx_f32 *ctx);
 
@@ -145,13 +181,15 @@ int polar_velocity_setup_f32(const polar_params_f32 *p, polar_velocity_ctx_f32 *
  * @brief Step of velocity. Motion of the collector while the drives run.
  *
  * Cost: 36 flops (28 mul, 8 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what velocity_setup left, its status not negative
+ * @param[in] ctx what velocity_setup left; refused if it is not ready
  * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
+ * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2];
+ *     each tick
  * @param[in] epsilon_dot rate of epsilon, rad/s, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
- * @param[in] D_dot rate of D, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
+ *     [-1, 1]; each tick
+ * @param[in] D_dot rate of D, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
  * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
  *     (polar-Omega_space)
  * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
@@ -164,6 +202,9 @@ int polar_velocity_setup_f32(const polar_params_f32 *p, polar_velocity_ctx_f32 *
  *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
  *     (polar-V_space)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see polar_velocity_f32
+ * @see polar_velocity_setup_f32
  */
 int polar_velocity_step_f32(
     const polar_velocity_ctx_f32 *ctx, float epsilon, float D, float epsilon_dot, float D_dot,
@@ -176,20 +217,28 @@ int polar_velocity_step_f32(
  * Cost: 16 flops (14 mul, 2 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: L_0, L_1
  * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
+ * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2];
+ *     each tick
  * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
  *     its origin, m per unit of drive, over three for its angular velocity; columns epsilon, D,
  *     6 by 2, row-major (polar-J)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see polar_jacobian_setup_f32
+ * @see polar_jacobian_step_f32
  */
 int polar_jacobian_f32(const polar_params_f32 *p, float epsilon, float D, float J[12]);
 
 /**
  * @brief What jacobian_setup hands to jacobian_step: 3 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of jacobian_setup and a mark from its end, if it did not refuse.
+ *     Without the mark jacobian_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a
+ *     machine does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float L_2;
   float cos_incl;
   float sin_incl;
@@ -199,10 +248,14 @@ typedef struct {
  * @brief Set-up of jacobian: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: L_0, L_1
- * @param[out] ctx what jacobian_step reads; untouched where the status is negative
+ * @param[out] ctx what jacobian_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see polar_jacobian_f32
+ * @see polar_jacobian_step_f32
  */
 int polar_jacobian_setup_f32(const polar_params_f32 *p, polar_jacobian_ctx_f32 *ctx);
 
@@ -210,14 +263,18 @@ int polar_jacobian_setup_f32(const polar_params_f32 *p, polar_jacobian_ctx_f32 *
  * @brief Step of jacobian. Motion of the collector per unit speed of each drive.
  *
  * Cost: 16 flops (14 mul, 2 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_setup left, its status not negative
+ * @param[in] ctx what jacobian_setup left; refused if it is not ready
  * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
+ * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2];
+ *     each tick
  * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
  *     its origin, m per unit of drive, over three for its angular velocity; columns epsilon, D,
  *     6 by 2, row-major (polar-J)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see polar_jacobian_f32
+ * @see polar_jacobian_setup_f32
  */
 int polar_jacobian_step_f32(
     const polar_jacobian_ctx_f32 *ctx, float epsilon, float D, float J[12]);
@@ -229,19 +286,26 @@ int polar_jacobian_step_f32(
  * Cost: 10 flops (6 mul, 3 add, 0 div, 1 sqrt), 2 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: L_0, L_1, L_2
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[out] epsilon hour drive that faces the sun, rad (polar-epsilon_aim)
  * @param[out] D declination drive that faces the sun, in [-pi/2, pi/2], rad (polar-D_aim)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   SINGULAR: the sun is on the polar axis: the hour drive is free
+ * @see polar_aim_setup_f32
+ * @see polar_aim_step_f32
  */
 int polar_aim_f32(const polar_params_f32 *p, const float enu[3], float *epsilon, float *D);
 
 /**
  * @brief What aim_setup hands to aim_step: 2 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of aim_setup and a mark from its end, if it did not refuse.
+ *     Without the mark aim_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float cos_incl;
   float sin_incl;
 } polar_aim_ctx_f32;
@@ -250,10 +314,14 @@ typedef struct {
  * @brief Set-up of aim: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: L_0, L_1, L_2
- * @param[out] ctx what aim_step reads; untouched where the status is negative
+ * @param[out] ctx what aim_step reads; not ready where the status is negative, whatever it held
+ *     before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see polar_aim_f32
+ * @see polar_aim_step_f32
  */
 int polar_aim_setup_f32(const polar_params_f32 *p, polar_aim_ctx_f32 *ctx);
 
@@ -262,13 +330,16 @@ int polar_aim_setup_f32(const polar_params_f32 *p, polar_aim_ctx_f32 *ctx);
  *     branch cos(D) >= 0.
  *
  * Cost: 10 flops (6 mul, 3 add, 0 div, 1 sqrt), 0 sin/cos, 2 atan2.
- * @param[in] ctx what aim_setup left, its status not negative
+ * @param[in] ctx what aim_setup left; refused if it is not ready
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[out] epsilon hour drive that faces the sun, rad (polar-epsilon_aim)
  * @param[out] D declination drive that faces the sun, in [-pi/2, pi/2], rad (polar-D_aim)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   SINGULAR: the sun is on the polar axis: the hour drive is free
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see polar_aim_f32
+ * @see polar_aim_setup_f32
  */
 int polar_aim_step_f32(const polar_aim_ctx_f32 *ctx, const float enu[3], float *epsilon, float *D);
 
@@ -279,17 +350,19 @@ int polar_aim_step_f32(const polar_aim_ctx_f32 *ctx, const float enu[3], float *
  * Cost: 2 flops (0 mul, 2 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] incl_out fixed tilt that lays the hour axis along the earth's axis
  *     (polar-incl_set)
  * @param[out] epsilon hour drive that follows the hour angle, in [-pi, pi], rad
  *     (polar-epsilon_set)
  * @param[out] D declination drive that follows the declination, rad (polar-D_set)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see polar_setting_setup_f32
+ * @see polar_setting_step_f32
  */
 int polar_setting_f32(
     const polar_params_f32 *p, float latitude, float declination, float hour_angle,
@@ -297,10 +370,15 @@ int polar_setting_f32(
 
 /**
  * @brief What setting_setup hands to setting_step: 1 number.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of setting_setup and a mark from its end, if it did not refuse.
+ *     Without the mark setting_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds polar-incl_set.
  */
 typedef struct {
+  volatile unsigned long ready;
   float incl_set;
 } polar_setting_ctx_f32;
 
@@ -308,12 +386,16 @@ typedef struct {
  * @brief Set-up of setting: all of it that changes with the mount only.
  *
  * Cost: 1 flops (0 mul, 1 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; none of them is read
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
- * @param[out] ctx what setting_step reads; untouched where the status is negative
+ *     working range [-1.5708, 1.5708]; held by the mount
+ * @param[out] ctx what setting_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see polar_setting_f32
+ * @see polar_setting_step_f32
  */
 int polar_setting_setup_f32(const polar_params_f32 *p, float latitude, polar_setting_ctx_f32 *ctx);
 
@@ -322,16 +404,19 @@ int polar_setting_setup_f32(const polar_params_f32 *p, float latitude, polar_set
  *     the sun's own angles.
  *
  * Cost: 1 flops (0 mul, 1 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
- * @param[in] ctx what setting_setup left, its status not negative
+ * @param[in] ctx what setting_setup left; refused if it is not ready
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] incl fixed tilt that lays the hour axis along the earth's axis (polar-incl_set)
  * @param[out] epsilon hour drive that follows the hour angle, in [-pi, pi], rad
  *     (polar-epsilon_set)
  * @param[out] D declination drive that follows the declination, rad (polar-D_set)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see polar_setting_f32
+ * @see polar_setting_setup_f32
  */
 int polar_setting_step_f32(
     const polar_setting_ctx_f32 *ctx, float declination, float hour_angle, float *incl,
@@ -339,7 +424,7 @@ int polar_setting_step_f32(
 
 #if DBL_MANT_DIG >= 53
 
-/** Parameters of the polar system. */
+/** Parameters of the polar system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** Height of the column, up to the fixed tilt, m, refused outside [0, 1e+06], working range [0,
       10]. */
@@ -359,19 +444,27 @@ typedef struct {
  * Cost: 26 flops (19 mul, 7 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
+ * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2];
+ *     each tick
  * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
  *     rotation beside the position of its origin in m, 4 by 4, row-major (polar-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see polar_pose_setup_f64
+ * @see polar_pose_step_f64
  */
 int polar_pose_f64(const polar_params_f64 *p, double epsilon, double D, double M[16]);
 
 /**
  * @brief What pose_setup hands to pose_step: 5 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of pose_setup and a mark from its end, if it did not refuse.
+ *     Without the mark pose_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double cos_incl;
   double sin_incl;
   double L_2;
@@ -383,10 +476,14 @@ typedef struct {
  * @brief Set-up of pose: all of it that changes with the mount only.
  *
  * Cost: 3 flops (2 mul, 1 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what pose_step reads; untouched where the status is negative
+ * @param[out] ctx what pose_step reads; not ready where the status is negative, whatever it held
+ *     before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see polar_pose_f64
+ * @see polar_pose_step_f64
  */
 int polar_pose_setup_f64(const polar_params_f64 *p, polar_pose_ctx_f64 *ctx);
 
@@ -394,13 +491,17 @@ int polar_pose_setup_f64(const polar_params_f64 *p, polar_pose_ctx_f64 *ctx);
  * @brief Step of pose. Pose of the collector.
  *
  * Cost: 23 flops (17 mul, 6 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what pose_setup left, its status not negative
+ * @param[in] ctx what pose_setup left; refused if it is not ready
  * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
+ * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2];
+ *     each tick
  * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
  *     rotation beside the position of its origin in m, 4 by 4, row-major (polar-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see polar_pose_f64
+ * @see polar_pose_setup_f64
  */
 int polar_pose_step_f64(const polar_pose_ctx_f64 *ctx, double epsilon, double D, double M[16]);
 
@@ -410,11 +511,13 @@ int polar_pose_step_f64(const polar_pose_ctx_f64 *ctx, double epsilon, double D,
  * Cost: 36 flops (28 mul, 8 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
+ * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2];
+ *     each tick
  * @param[in] epsilon_dot rate of epsilon, rad/s, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
- * @param[in] D_dot rate of D, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
+ *     [-1, 1]; each tick
+ * @param[in] D_dot rate of D, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
  * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
  *     (polar-Omega_space)
  * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
@@ -427,6 +530,8 @@ int polar_pose_step_f64(const polar_pose_ctx_f64 *ctx, double epsilon, double D,
  *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
  *     (polar-V_space)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see polar_velocity_setup_f64
+ * @see polar_velocity_step_f64
  */
 int polar_velocity_f64(
     const polar_params_f64 *p, double epsilon, double D, double epsilon_dot, double D_dot,
@@ -435,9 +540,14 @@ int polar_velocity_f64(
 
 /**
  * @brief What velocity_setup hands to velocity_step: 5 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of velocity_setup and a mark from its end, if it did not refuse.
+ *     Without the mark velocity_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a
+ *     machine does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double cos_incl;
   double sin_incl;
   double L_2;
@@ -449,10 +559,14 @@ typedef struct {
  * @brief Set-up of velocity: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what velocity_step reads; untouched where the status is negative
+ * @param[out] ctx what velocity_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see polar_velocity_f64
+ * @see polar_velocity_step_f64
  */
 int polar_velocity_setup_f64(const polar_params_f64 *p, polar_velocity_ctx_f64 *ctx);
 
@@ -460,13 +574,15 @@ int polar_velocity_setup_f64(const polar_params_f64 *p, polar_velocity_ctx_f64 *
  * @brief Step of velocity. Motion of the collector while the drives run.
  *
  * Cost: 36 flops (28 mul, 8 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what velocity_setup left, its status not negative
+ * @param[in] ctx what velocity_setup left; refused if it is not ready
  * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
+ * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2];
+ *     each tick
  * @param[in] epsilon_dot rate of epsilon, rad/s, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
- * @param[in] D_dot rate of D, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1]
+ *     [-1, 1]; each tick
+ * @param[in] D_dot rate of D, rad/s, refused outside [-1e+06, 1e+06], working range [-1, 1];
+ *     each tick
  * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
  *     (polar-Omega_space)
  * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
@@ -479,6 +595,9 @@ int polar_velocity_setup_f64(const polar_params_f64 *p, polar_velocity_ctx_f64 *
  *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
  *     (polar-V_space)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see polar_velocity_f64
+ * @see polar_velocity_setup_f64
  */
 int polar_velocity_step_f64(
     const polar_velocity_ctx_f64 *ctx, double epsilon, double D, double epsilon_dot, double D_dot,
@@ -491,20 +610,28 @@ int polar_velocity_step_f64(
  * Cost: 16 flops (14 mul, 2 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: L_0, L_1
  * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
+ * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2];
+ *     each tick
  * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
  *     its origin, m per unit of drive, over three for its angular velocity; columns epsilon, D,
  *     6 by 2, row-major (polar-J)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see polar_jacobian_setup_f64
+ * @see polar_jacobian_step_f64
  */
 int polar_jacobian_f64(const polar_params_f64 *p, double epsilon, double D, double J[12]);
 
 /**
  * @brief What jacobian_setup hands to jacobian_step: 3 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of jacobian_setup and a mark from its end, if it did not refuse.
+ *     Without the mark jacobian_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a
+ *     machine does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double L_2;
   double cos_incl;
   double sin_incl;
@@ -514,10 +641,14 @@ typedef struct {
  * @brief Set-up of jacobian: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: L_0, L_1
- * @param[out] ctx what jacobian_step reads; untouched where the status is negative
+ * @param[out] ctx what jacobian_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see polar_jacobian_f64
+ * @see polar_jacobian_step_f64
  */
 int polar_jacobian_setup_f64(const polar_params_f64 *p, polar_jacobian_ctx_f64 *ctx);
 
@@ -525,14 +656,18 @@ int polar_jacobian_setup_f64(const polar_params_f64 *p, polar_jacobian_ctx_f64 *
  * @brief Step of jacobian. Motion of the collector per unit speed of each drive.
  *
  * Cost: 16 flops (14 mul, 2 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_setup left, its status not negative
+ * @param[in] ctx what jacobian_setup left; refused if it is not ready
  * @param[in] epsilon hour drive, clockwise seen from the tip of the polar axis, rad, refused
- *     outside [-1000, 1000], working range [-3.2, 3.2]
- * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
+ * @param[in] D declination drive, rad, refused outside [-1000, 1000], working range [-3.2, 3.2];
+ *     each tick
  * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
  *     its origin, m per unit of drive, over three for its angular velocity; columns epsilon, D,
  *     6 by 2, row-major (polar-J)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see polar_jacobian_f64
+ * @see polar_jacobian_setup_f64
  */
 int polar_jacobian_step_f64(
     const polar_jacobian_ctx_f64 *ctx, double epsilon, double D, double J[12]);
@@ -544,19 +679,26 @@ int polar_jacobian_step_f64(
  * Cost: 10 flops (6 mul, 3 add, 0 div, 1 sqrt), 2 sin/cos, 2 atan2.
  * @param[in] p parameters; not read: L_0, L_1, L_2
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[out] epsilon hour drive that faces the sun, rad (polar-epsilon_aim)
  * @param[out] D declination drive that faces the sun, in [-pi/2, pi/2], rad (polar-D_aim)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   SINGULAR: the sun is on the polar axis: the hour drive is free
+ * @see polar_aim_setup_f64
+ * @see polar_aim_step_f64
  */
 int polar_aim_f64(const polar_params_f64 *p, const double enu[3], double *epsilon, double *D);
 
 /**
  * @brief What aim_setup hands to aim_step: 2 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of aim_setup and a mark from its end, if it did not refuse.
+ *     Without the mark aim_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double cos_incl;
   double sin_incl;
 } polar_aim_ctx_f64;
@@ -565,10 +707,14 @@ typedef struct {
  * @brief Set-up of aim: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: L_0, L_1, L_2
- * @param[out] ctx what aim_step reads; untouched where the status is negative
+ * @param[out] ctx what aim_step reads; not ready where the status is negative, whatever it held
+ *     before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see polar_aim_f64
+ * @see polar_aim_step_f64
  */
 int polar_aim_setup_f64(const polar_params_f64 *p, polar_aim_ctx_f64 *ctx);
 
@@ -577,13 +723,16 @@ int polar_aim_setup_f64(const polar_params_f64 *p, polar_aim_ctx_f64 *ctx);
  *     branch cos(D) >= 0.
  *
  * Cost: 10 flops (6 mul, 3 add, 0 div, 1 sqrt), 0 sin/cos, 2 atan2.
- * @param[in] ctx what aim_setup left, its status not negative
+ * @param[in] ctx what aim_setup left; refused if it is not ready
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[out] epsilon hour drive that faces the sun, rad (polar-epsilon_aim)
  * @param[out] D declination drive that faces the sun, in [-pi/2, pi/2], rad (polar-D_aim)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   SINGULAR: the sun is on the polar axis: the hour drive is free
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see polar_aim_f64
+ * @see polar_aim_setup_f64
  */
 int polar_aim_step_f64(
     const polar_aim_ctx_f64 *ctx, const double enu[3], double *epsilon, double *D);
@@ -595,17 +744,19 @@ int polar_aim_step_f64(
  * Cost: 2 flops (0 mul, 2 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] incl_out fixed tilt that lays the hour axis along the earth's axis
  *     (polar-incl_set)
  * @param[out] epsilon hour drive that follows the hour angle, in [-pi, pi], rad
  *     (polar-epsilon_set)
  * @param[out] D declination drive that follows the declination, rad (polar-D_set)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see polar_setting_setup_f64
+ * @see polar_setting_step_f64
  */
 int polar_setting_f64(
     const polar_params_f64 *p, double latitude, double declination, double hour_angle,
@@ -613,10 +764,15 @@ int polar_setting_f64(
 
 /**
  * @brief What setting_setup hands to setting_step: 1 number.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of setting_setup and a mark from its end, if it did not refuse.
+ *     Without the mark setting_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds polar-incl_set.
  */
 typedef struct {
+  volatile unsigned long ready;
   double incl_set;
 } polar_setting_ctx_f64;
 
@@ -624,12 +780,16 @@ typedef struct {
  * @brief Set-up of setting: all of it that changes with the mount only.
  *
  * Cost: 1 flops (0 mul, 1 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; none of them is read
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
- * @param[out] ctx what setting_step reads; untouched where the status is negative
+ *     working range [-1.5708, 1.5708]; held by the mount
+ * @param[out] ctx what setting_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see polar_setting_f64
+ * @see polar_setting_step_f64
  */
 int polar_setting_setup_f64(
     const polar_params_f64 *p, double latitude, polar_setting_ctx_f64 *ctx);
@@ -639,16 +799,19 @@ int polar_setting_setup_f64(
  *     the sun's own angles.
  *
  * Cost: 1 flops (0 mul, 1 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
- * @param[in] ctx what setting_setup left, its status not negative
+ * @param[in] ctx what setting_setup left; refused if it is not ready
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] incl fixed tilt that lays the hour axis along the earth's axis (polar-incl_set)
  * @param[out] epsilon hour drive that follows the hour angle, in [-pi, pi], rad
  *     (polar-epsilon_set)
  * @param[out] D declination drive that follows the declination, rad (polar-D_set)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see polar_setting_f64
+ * @see polar_setting_setup_f64
  */
 int polar_setting_step_f64(
     const polar_setting_ctx_f64 *ctx, double declination, double hour_angle, double *incl,

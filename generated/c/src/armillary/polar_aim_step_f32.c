@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_POLAR_ABI) || (ARMILLARY_POLAR_ABI != 0xb7533d8eUL)
+#if !defined(ARMILLARY_POLAR_ABI) || (ARMILLARY_POLAR_ABI != 0x7d6a17a4UL)
 #error "polar.h is of another version than this file: copy both from one release"
 #endif
 
@@ -20,6 +20,7 @@
 
 int polar_aim_setup_f32(const polar_params_f32 *p, polar_aim_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float incl = p->incl;
   int status = ARMILLARY_OK;
 
@@ -33,6 +34,7 @@ int polar_aim_setup_f32(const polar_params_f32 *p, polar_aim_ctx_f32 *ctx)
     const float cos_incl = cosf(incl);
     ctx->cos_incl = cos_incl;
     ctx->sin_incl = sin_incl;
+    ctx->ready = 0x06c82b48UL;
   }
   return status;
 }
@@ -45,20 +47,23 @@ int polar_aim_step_f32(const polar_aim_ctx_f32 *ctx, const float enu[3], float *
   const float cos_incl = ctx->cos_incl;
   const float sin_incl = ctx->sin_incl;
   const float enu_excess = ((enu_x * enu_x) + (enu_y * enu_y) + (enu_z * enu_z)) - 1.0f;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x06c82b48UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(enu_x) <= 1.001f) ||
       !(fabsf(enu_y) <= 1.001f) ||
       !(fabsf(enu_z) <= 1.001f) ||
       !(fabsf(enu_excess) <= 0.001f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(enu_x) <= FLT_MAX) && !(fabsf(enu_x) <= 1.001f)) ||
         ((fabsf(enu_y) <= FLT_MAX) && !(fabsf(enu_y) <= 1.001f)) ||
         ((fabsf(enu_z) <= FLT_MAX) && !(fabsf(enu_z) <= 1.001f)) ||
         ((fabsf(enu_excess) <= FLT_MAX) && !(fabsf(enu_excess) <= 0.001f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float polar_sun_y = (cos_incl * enu_y) - (sin_incl * enu_z); /* polar-polar_sun */
     const float polar_sun_z = (sin_incl * enu_y) + (cos_incl * enu_z); /* polar-polar_sun */
     const float across = sqrtf((enu_x * enu_x) + (polar_sun_y * polar_sun_y)); /* polar-across */

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_POLAR_ABI) || (ARMILLARY_POLAR_ABI != 0xb7533d8eUL)
+#if !defined(ARMILLARY_POLAR_ABI) || (ARMILLARY_POLAR_ABI != 0x7d6a17a4UL)
 #error "polar.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@
 
 int polar_aim_setup_f64(const polar_params_f64 *p, polar_aim_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double incl = p->incl;
   int status = ARMILLARY_OK;
 
@@ -35,6 +36,7 @@ int polar_aim_setup_f64(const polar_params_f64 *p, polar_aim_ctx_f64 *ctx)
     const double cos_incl = cos(incl);
     ctx->cos_incl = cos_incl;
     ctx->sin_incl = sin_incl;
+    ctx->ready = 0x324b2292UL;
   }
   return status;
 }
@@ -48,20 +50,23 @@ int polar_aim_step_f64(
   const double cos_incl = ctx->cos_incl;
   const double sin_incl = ctx->sin_incl;
   const double enu_excess = ((enu_x * enu_x) + (enu_y * enu_y) + (enu_z * enu_z)) - 1.0;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x324b2292UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(enu_x) <= 1.001) ||
       !(fabs(enu_y) <= 1.001) ||
       !(fabs(enu_z) <= 1.001) ||
       !(fabs(enu_excess) <= 0.001)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(enu_x) <= DBL_MAX) && !(fabs(enu_x) <= 1.001)) ||
         ((fabs(enu_y) <= DBL_MAX) && !(fabs(enu_y) <= 1.001)) ||
         ((fabs(enu_z) <= DBL_MAX) && !(fabs(enu_z) <= 1.001)) ||
         ((fabs(enu_excess) <= DBL_MAX) && !(fabs(enu_excess) <= 0.001))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double polar_sun_y = (cos_incl * enu_y) - (sin_incl * enu_z); /* polar-polar_sun */
     const double polar_sun_z = (sin_incl * enu_y) + (cos_incl * enu_z); /* polar-polar_sun */
     const double across = sqrt((enu_x * enu_x) + (polar_sun_y * polar_sun_y)); /* polar-across */

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_POLAR_ABI) || (ARMILLARY_POLAR_ABI != 0xb7533d8eUL)
+#if !defined(ARMILLARY_POLAR_ABI) || (ARMILLARY_POLAR_ABI != 0x7d6a17a4UL)
 #error "polar.h is of another version than this file: copy both from one release"
 #endif
 
@@ -20,6 +20,7 @@
 
 int polar_jacobian_setup_f32(const polar_params_f32 *p, polar_jacobian_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float L_2 = p->L_2;
   const float incl = p->incl;
   int status = ARMILLARY_OK;
@@ -37,6 +38,7 @@ int polar_jacobian_setup_f32(const polar_params_f32 *p, polar_jacobian_ctx_f32 *
     ctx->L_2 = L_2;
     ctx->cos_incl = cos_incl;
     ctx->sin_incl = sin_incl;
+    ctx->ready = 0xc97602fdUL;
   }
   return status;
 }
@@ -47,16 +49,19 @@ int polar_jacobian_step_f32(
   const float L_2 = ctx->L_2;
   const float cos_incl = ctx->cos_incl;
   const float sin_incl = ctx->sin_incl;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xc97602fdUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(epsilon) <= 1000.0f) ||
       !(fabsf(D) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(epsilon) <= FLT_MAX) && !(fabsf(epsilon) <= 1000.0f)) ||
         ((fabsf(D) <= FLT_MAX) && !(fabsf(D) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_D = sinf(D);
     const float cos_D = cosf(D);
     const float t1 = cos_D * L_2;

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_POLAR_ABI) || (ARMILLARY_POLAR_ABI != 0xb7533d8eUL)
+#if !defined(ARMILLARY_POLAR_ABI) || (ARMILLARY_POLAR_ABI != 0x7d6a17a4UL)
 #error "polar.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@
 
 int polar_jacobian_setup_f64(const polar_params_f64 *p, polar_jacobian_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double L_2 = p->L_2;
   const double incl = p->incl;
   int status = ARMILLARY_OK;
@@ -39,6 +40,7 @@ int polar_jacobian_setup_f64(const polar_params_f64 *p, polar_jacobian_ctx_f64 *
     ctx->L_2 = L_2;
     ctx->cos_incl = cos_incl;
     ctx->sin_incl = sin_incl;
+    ctx->ready = 0x77b73939UL;
   }
   return status;
 }
@@ -49,16 +51,19 @@ int polar_jacobian_step_f64(
   const double L_2 = ctx->L_2;
   const double cos_incl = ctx->cos_incl;
   const double sin_incl = ctx->sin_incl;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x77b73939UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(epsilon) <= 1000.0) ||
       !(fabs(D) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(epsilon) <= DBL_MAX) && !(fabs(epsilon) <= 1000.0)) ||
         ((fabs(D) <= DBL_MAX) && !(fabs(D) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double sin_D = sin(D);
     const double cos_D = cos(D);
     const double t1 = cos_D * L_2;

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_POLAR_ABI) || (ARMILLARY_POLAR_ABI != 0xb7533d8eUL)
+#if !defined(ARMILLARY_POLAR_ABI) || (ARMILLARY_POLAR_ABI != 0x7d6a17a4UL)
 #error "polar.h is of another version than this file: copy both from one release"
 #endif
 
@@ -20,6 +20,7 @@
 
 int polar_pose_setup_f32(const polar_params_f32 *p, polar_pose_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float L_0 = p->L_0;
   const float L_1 = p->L_1;
   const float L_2 = p->L_2;
@@ -45,6 +46,7 @@ int polar_pose_setup_f32(const polar_params_f32 *p, polar_pose_ctx_f32 *ctx)
     ctx->L_2 = L_2;
     ctx->m1 = sin_incl * L_1;
     ctx->m2 = L_0 + (cos_incl * L_1);
+    ctx->ready = 0x68d5bc28UL;
   }
   return status;
 }
@@ -56,16 +58,19 @@ int polar_pose_step_f32(const polar_pose_ctx_f32 *ctx, float epsilon, float D, f
   const float L_2 = ctx->L_2;
   const float m1 = ctx->m1;
   const float m2 = ctx->m2;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x68d5bc28UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(epsilon) <= 1000.0f) ||
       !(fabsf(D) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(epsilon) <= FLT_MAX) && !(fabsf(epsilon) <= 1000.0f)) ||
         ((fabsf(D) <= FLT_MAX) && !(fabsf(D) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_D = sinf(D);
     const float cos_D = cosf(D);
     const float sin_epsilon = sinf(epsilon);

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_POLAR_ABI) || (ARMILLARY_POLAR_ABI != 0xb7533d8eUL)
+#if !defined(ARMILLARY_POLAR_ABI) || (ARMILLARY_POLAR_ABI != 0x7d6a17a4UL)
 #error "polar.h is of another version than this file: copy both from one release"
 #endif
 
@@ -20,6 +20,7 @@
 
 int polar_setting_setup_f32(const polar_params_f32 *p, float latitude, polar_setting_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   int status = ARMILLARY_OK;
   (void)p;
 
@@ -31,6 +32,7 @@ int polar_setting_setup_f32(const polar_params_f32 *p, float latitude, polar_set
   } else {
     const float incl_set = 1.5707964f - latitude; /* polar-incl_set */
     ctx->incl_set = incl_set;
+    ctx->ready = 0xf06d94a4UL;
   }
   return status;
 }
@@ -40,16 +42,19 @@ int polar_setting_step_f32(
     float *epsilon, float *D)
 {
   const float incl_set = ctx->incl_set;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xf06d94a4UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(declination) <= 1000.0f) ||
       !(fabsf(hour_angle) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(declination) <= FLT_MAX) && !(fabsf(declination) <= 1000.0f)) ||
         ((fabsf(hour_angle) <= FLT_MAX) && !(fabsf(hour_angle) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float t1 = hour_angle + 3.1415927f;
     const float t2 = sinf(t1);
     const float t3 = cosf(t1);

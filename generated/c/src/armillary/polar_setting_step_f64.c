@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_POLAR_ABI) || (ARMILLARY_POLAR_ABI != 0xb7533d8eUL)
+#if !defined(ARMILLARY_POLAR_ABI) || (ARMILLARY_POLAR_ABI != 0x7d6a17a4UL)
 #error "polar.h is of another version than this file: copy both from one release"
 #endif
 
@@ -23,6 +23,7 @@
 int polar_setting_setup_f64(
     const polar_params_f64 *p, double latitude, polar_setting_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   int status = ARMILLARY_OK;
   (void)p;
 
@@ -34,6 +35,7 @@ int polar_setting_setup_f64(
   } else {
     const double incl_set = 1.5707963267948966 - latitude; /* polar-incl_set */
     ctx->incl_set = incl_set;
+    ctx->ready = 0x53c29291UL;
   }
   return status;
 }
@@ -43,16 +45,19 @@ int polar_setting_step_f64(
     double *epsilon, double *D)
 {
   const double incl_set = ctx->incl_set;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x53c29291UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(declination) <= 1000.0) ||
       !(fabs(hour_angle) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(declination) <= DBL_MAX) && !(fabs(declination) <= 1000.0)) ||
         ((fabs(hour_angle) <= DBL_MAX) && !(fabs(hour_angle) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double t1 = hour_angle + 3.141592653589793;
     const double t2 = sin(t1);
     const double t3 = cos(t1);

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_POLAR_ABI) || (ARMILLARY_POLAR_ABI != 0xb7533d8eUL)
+#if !defined(ARMILLARY_POLAR_ABI) || (ARMILLARY_POLAR_ABI != 0x7d6a17a4UL)
 #error "polar.h is of another version than this file: copy both from one release"
 #endif
 
@@ -20,6 +20,7 @@
 
 int polar_velocity_setup_f32(const polar_params_f32 *p, polar_velocity_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float L_0 = p->L_0;
   const float L_1 = p->L_1;
   const float L_2 = p->L_2;
@@ -45,6 +46,7 @@ int polar_velocity_setup_f32(const polar_params_f32 *p, polar_velocity_ctx_f32 *
     ctx->L_2 = L_2;
     ctx->L_0 = L_0;
     ctx->L_1 = L_1;
+    ctx->ready = 0xfd4819acUL;
   }
   return status;
 }
@@ -59,20 +61,23 @@ int polar_velocity_step_f32(
   const float L_2 = ctx->L_2;
   const float L_0 = ctx->L_0;
   const float L_1 = ctx->L_1;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xfd4819acUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(epsilon) <= 1000.0f) ||
       !(fabsf(D) <= 1000.0f) ||
       !(fabsf(epsilon_dot) <= 1.0e6f) ||
       !(fabsf(D_dot) <= 1.0e6f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(epsilon) <= FLT_MAX) && !(fabsf(epsilon) <= 1000.0f)) ||
         ((fabsf(D) <= FLT_MAX) && !(fabsf(D) <= 1000.0f)) ||
         ((fabsf(epsilon_dot) <= FLT_MAX) && !(fabsf(epsilon_dot) <= 1.0e6f)) ||
         ((fabsf(D_dot) <= FLT_MAX) && !(fabsf(D_dot) <= 1.0e6f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_epsilon = sinf(epsilon);
     const float cos_epsilon = cosf(epsilon);
     const float t1 = cos_epsilon * D_dot;

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_POLAR_ABI) || (ARMILLARY_POLAR_ABI != 0xb7533d8eUL)
+#if !defined(ARMILLARY_POLAR_ABI) || (ARMILLARY_POLAR_ABI != 0x7d6a17a4UL)
 #error "polar.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@
 
 int polar_velocity_setup_f64(const polar_params_f64 *p, polar_velocity_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double L_0 = p->L_0;
   const double L_1 = p->L_1;
   const double L_2 = p->L_2;
@@ -47,6 +48,7 @@ int polar_velocity_setup_f64(const polar_params_f64 *p, polar_velocity_ctx_f64 *
     ctx->L_2 = L_2;
     ctx->L_0 = L_0;
     ctx->L_1 = L_1;
+    ctx->ready = 0x2ee15c32UL;
   }
   return status;
 }
@@ -61,20 +63,23 @@ int polar_velocity_step_f64(
   const double L_2 = ctx->L_2;
   const double L_0 = ctx->L_0;
   const double L_1 = ctx->L_1;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x2ee15c32UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(epsilon) <= 1000.0) ||
       !(fabs(D) <= 1000.0) ||
       !(fabs(epsilon_dot) <= 1.0e6) ||
       !(fabs(D_dot) <= 1.0e6)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(epsilon) <= DBL_MAX) && !(fabs(epsilon) <= 1000.0)) ||
         ((fabs(D) <= DBL_MAX) && !(fabs(D) <= 1000.0)) ||
         ((fabs(epsilon_dot) <= DBL_MAX) && !(fabs(epsilon_dot) <= 1.0e6)) ||
         ((fabs(D_dot) <= DBL_MAX) && !(fabs(D_dot) <= 1.0e6))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double sin_epsilon = sin(epsilon);
     const double cos_epsilon = cos(epsilon);
     const double t1 = cos_epsilon * D_dot;

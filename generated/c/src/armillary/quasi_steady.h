@@ -3,12 +3,15 @@
  * @file quasi_steady.h
  * @brief Quasi-steady tracker.
  *
- * SI units, radians, right-handed frames; vectors at the boundary are local
- * east-north-up unless stated. Matrices are flat and row-major. Every function returns
- * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written. No pointer may be null. Inputs are read
- * before results are written, so they may overlap. Where an input and a result have one
- * name, the result's argument ends in _out.
+ * SI units, radians, right-handed frames; vectors at the boundary are local east-north-up
+ * unless stated. Matrices are flat and row-major. Every function returns an ARMILLARY status:
+ * 0 is OK, positive means every result is defined and finite, negative means that no result
+ * was written. No pointer may be null. Inputs are read before results are written, so they
+ * may overlap.
+ *
+ * Where an input and a result have one name, the result's argument ends in _out. A letter
+ * that headers of C, Arduino or AVR define as a macro (F, I) is nobody's name here: such a
+ * result ends in _out too, and such an input has a longer name.
  */
 #ifndef ARMILLARY_QUASI_STEADY_H
 #define ARMILLARY_QUASI_STEADY_H
@@ -18,13 +21,13 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_QUASI_STEADY_ABI 0xb4c30552UL
+#define ARMILLARY_QUASI_STEADY_ABI 0xb21dc0fdUL
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/** Parameters of the quasi steady system. */
+/** Parameters of the quasi steady system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** Height of the column, up to the tilt axis, m, refused outside [0, 1e+06], working range [0,
       10]. */
@@ -41,7 +44,7 @@ typedef struct {
  * Cost: 7 flops (4 mul, 3 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] incl tilt of the collector, leaning north, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each day
  * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
  *     rotation beside the position of its origin in m, 4 by 4, row-major (quasi_steady-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -49,48 +52,14 @@ typedef struct {
 int quasi_steady_pose_f32(const quasi_steady_params_f32 *p, float incl, float M[16]);
 
 /**
- * @brief What pose_setup hands to pose_step: 3 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  float L_2;
-  float L_1;
-  float L_0;
-} quasi_steady_pose_ctx_f32;
-
-/**
- * @brief Set-up of pose: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters
- * @param[out] ctx what pose_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int quasi_steady_pose_setup_f32(const quasi_steady_params_f32 *p, quasi_steady_pose_ctx_f32 *ctx);
-
-/**
- * @brief Step of pose. Pose of the collector.
- *
- * Cost: 7 flops (4 mul, 3 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * @param[in] ctx what pose_setup left, its status not negative
- * @param[in] incl tilt of the collector, leaning north, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
- * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
- *     rotation beside the position of its origin in m, 4 by 4, row-major (quasi_steady-M)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int quasi_steady_pose_step_f32(const quasi_steady_pose_ctx_f32 *ctx, float incl, float M[16]);
-
-/**
  * @brief Motion of the collector while the drive runs.
  *
  * Cost: 9 flops (7 mul, 2 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] incl tilt of the collector, leaning north, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each day
  * @param[in] incl_dot rate of incl, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
  *     (quasi_steady-Omega_space)
  * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
@@ -109,60 +78,12 @@ int quasi_steady_velocity_f32(
     float Omega_body[3], float v_origin[3], float v_spatial[3], float V_space[16]);
 
 /**
- * @brief What velocity_setup hands to velocity_step: 3 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  float L_2;
-  float L_1;
-  float L_0;
-} quasi_steady_velocity_ctx_f32;
-
-/**
- * @brief Set-up of velocity: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters
- * @param[out] ctx what velocity_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int quasi_steady_velocity_setup_f32(
-    const quasi_steady_params_f32 *p, quasi_steady_velocity_ctx_f32 *ctx);
-
-/**
- * @brief Step of velocity. Motion of the collector while the drive runs.
- *
- * Cost: 9 flops (7 mul, 2 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * @param[in] ctx what velocity_setup left, its status not negative
- * @param[in] incl tilt of the collector, leaning north, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
- * @param[in] incl_dot rate of incl, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
- * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
- *     (quasi_steady-Omega_space)
- * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
- *     (quasi_steady-Omega_body)
- * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
- *     (quasi_steady-v_origin)
- * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
- *     m/s (quasi_steady-v_spatial)
- * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
- *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
- *     (quasi_steady-V_space)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int quasi_steady_velocity_step_f32(
-    const quasi_steady_velocity_ctx_f32 *ctx, float incl, float incl_dot, float Omega_space[3],
-    float Omega_body[3], float v_origin[3], float v_spatial[3], float V_space[16]);
-
-/**
  * @brief Motion of the collector per unit speed of the drive.
  *
  * Cost: 6 flops (4 mul, 2 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: L_0
  * @param[in] incl tilt of the collector, leaning north, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each day
  * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
  *     its origin, m per unit of drive, over three for its angular velocity; columns incl, 6 by
  *     1, row-major (quasi_steady-J)
@@ -171,93 +92,23 @@ int quasi_steady_velocity_step_f32(
 int quasi_steady_jacobian_f32(const quasi_steady_params_f32 *p, float incl, float J[6]);
 
 /**
- * @brief What jacobian_setup hands to jacobian_step: 2 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  float L_2;
-  float L_1;
-} quasi_steady_jacobian_ctx_f32;
-
-/**
- * @brief Set-up of jacobian: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters; not read: L_0
- * @param[out] ctx what jacobian_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int quasi_steady_jacobian_setup_f32(
-    const quasi_steady_params_f32 *p, quasi_steady_jacobian_ctx_f32 *ctx);
-
-/**
- * @brief Step of jacobian. Motion of the collector per unit speed of the drive.
- *
- * Cost: 6 flops (4 mul, 2 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_setup left, its status not negative
- * @param[in] incl tilt of the collector, leaning north, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
- * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
- *     its origin, m per unit of drive, over three for its angular velocity; columns incl, 6 by
- *     1, row-major (quasi_steady-J)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int quasi_steady_jacobian_step_f32(
-    const quasi_steady_jacobian_ctx_f32 *ctx, float incl, float J[6]);
-
-/**
  * @brief Tilt that puts the collector's third axis on the sun at apparent noon.
  *
  * Cost: 1 flops (0 mul, 1 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[out] incl tilt that faces the noon sun, rad (quasi_steady-incl_aim)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int quasi_steady_aim_f32(
     const quasi_steady_params_f32 *p, float latitude, float declination, float *incl);
 
-/**
- * @brief What aim_setup hands to aim_step: 1 number.
- * Its fields may change from version to version.
- */
-typedef struct {
-  float latitude;
-} quasi_steady_aim_ctx_f32;
-
-/**
- * @brief Set-up of aim: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters; none of them is read
- * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
- * @param[out] ctx what aim_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int quasi_steady_aim_setup_f32(
-    const quasi_steady_params_f32 *p, float latitude, quasi_steady_aim_ctx_f32 *ctx);
-
-/**
- * @brief Step of aim. Tilt that puts the collector's third axis on the sun at apparent noon.
- *
- * Cost: 1 flops (0 mul, 1 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * @param[in] ctx what aim_setup left, its status not negative
- * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
- * @param[out] incl tilt that faces the noon sun, rad (quasi_steady-incl_aim)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int quasi_steady_aim_step_f32(const quasi_steady_aim_ctx_f32 *ctx, float declination, float *incl);
-
 #if DBL_MANT_DIG >= 53
 
-/** Parameters of the quasi steady system. */
+/** Parameters of the quasi steady system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** Height of the column, up to the tilt axis, m, refused outside [0, 1e+06], working range [0,
       10]. */
@@ -274,7 +125,7 @@ typedef struct {
  * Cost: 7 flops (4 mul, 3 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] incl tilt of the collector, leaning north, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each day
  * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
  *     rotation beside the position of its origin in m, 4 by 4, row-major (quasi_steady-M)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -282,48 +133,14 @@ typedef struct {
 int quasi_steady_pose_f64(const quasi_steady_params_f64 *p, double incl, double M[16]);
 
 /**
- * @brief What pose_setup hands to pose_step: 3 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  double L_2;
-  double L_1;
-  double L_0;
-} quasi_steady_pose_ctx_f64;
-
-/**
- * @brief Set-up of pose: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters
- * @param[out] ctx what pose_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int quasi_steady_pose_setup_f64(const quasi_steady_params_f64 *p, quasi_steady_pose_ctx_f64 *ctx);
-
-/**
- * @brief Step of pose. Pose of the collector.
- *
- * Cost: 7 flops (4 mul, 3 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * @param[in] ctx what pose_setup left, its status not negative
- * @param[in] incl tilt of the collector, leaning north, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
- * @param[out] M pose of the collector in East-North-Up axes at the foot of the column: its
- *     rotation beside the position of its origin in m, 4 by 4, row-major (quasi_steady-M)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int quasi_steady_pose_step_f64(const quasi_steady_pose_ctx_f64 *ctx, double incl, double M[16]);
-
-/**
  * @brief Motion of the collector while the drive runs.
  *
  * Cost: 9 flops (7 mul, 2 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] p parameters
  * @param[in] incl tilt of the collector, leaning north, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each day
  * @param[in] incl_dot rate of incl, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
  *     (quasi_steady-Omega_space)
  * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
@@ -342,60 +159,12 @@ int quasi_steady_velocity_f64(
     double Omega_body[3], double v_origin[3], double v_spatial[3], double V_space[16]);
 
 /**
- * @brief What velocity_setup hands to velocity_step: 3 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  double L_2;
-  double L_1;
-  double L_0;
-} quasi_steady_velocity_ctx_f64;
-
-/**
- * @brief Set-up of velocity: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters
- * @param[out] ctx what velocity_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int quasi_steady_velocity_setup_f64(
-    const quasi_steady_params_f64 *p, quasi_steady_velocity_ctx_f64 *ctx);
-
-/**
- * @brief Step of velocity. Motion of the collector while the drive runs.
- *
- * Cost: 9 flops (7 mul, 2 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * @param[in] ctx what velocity_setup left, its status not negative
- * @param[in] incl tilt of the collector, leaning north, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
- * @param[in] incl_dot rate of incl, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
- * @param[out] Omega_space angular velocity of the collector in East-North-Up axes, rad/s
- *     (quasi_steady-Omega_space)
- * @param[out] Omega_body angular velocity of the collector in its own axes, rad/s
- *     (quasi_steady-Omega_body)
- * @param[out] v_origin velocity of the collector's origin in East-North-Up axes, m/s
- *     (quasi_steady-v_origin)
- * @param[out] v_spatial velocity of the collector's point that passes the foot of the column,
- *     m/s (quasi_steady-v_spatial)
- * @param[out] V_space velocity matrix of the collector: skew angular velocity in rad/s beside
- *     the velocity at the foot of the column in m/s, East-North-Up axes, 4 by 4, row-major
- *     (quasi_steady-V_space)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int quasi_steady_velocity_step_f64(
-    const quasi_steady_velocity_ctx_f64 *ctx, double incl, double incl_dot, double Omega_space[3],
-    double Omega_body[3], double v_origin[3], double v_spatial[3], double V_space[16]);
-
-/**
  * @brief Motion of the collector per unit speed of the drive.
  *
  * Cost: 6 flops (4 mul, 2 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: L_0
  * @param[in] incl tilt of the collector, leaning north, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each day
  * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
  *     its origin, m per unit of drive, over three for its angular velocity; columns incl, 6 by
  *     1, row-major (quasi_steady-J)
@@ -404,90 +173,19 @@ int quasi_steady_velocity_step_f64(
 int quasi_steady_jacobian_f64(const quasi_steady_params_f64 *p, double incl, double J[6]);
 
 /**
- * @brief What jacobian_setup hands to jacobian_step: 2 numbers.
- * Its fields may change from version to version.
- */
-typedef struct {
-  double L_2;
-  double L_1;
-} quasi_steady_jacobian_ctx_f64;
-
-/**
- * @brief Set-up of jacobian: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters; not read: L_0
- * @param[out] ctx what jacobian_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int quasi_steady_jacobian_setup_f64(
-    const quasi_steady_params_f64 *p, quasi_steady_jacobian_ctx_f64 *ctx);
-
-/**
- * @brief Step of jacobian. Motion of the collector per unit speed of the drive.
- *
- * Cost: 6 flops (4 mul, 2 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_setup left, its status not negative
- * @param[in] incl tilt of the collector, leaning north, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
- * @param[out] J Jacobian of the collector in East-North-Up axes: three rows for the velocity of
- *     its origin, m per unit of drive, over three for its angular velocity; columns incl, 6 by
- *     1, row-major (quasi_steady-J)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int quasi_steady_jacobian_step_f64(
-    const quasi_steady_jacobian_ctx_f64 *ctx, double incl, double J[6]);
-
-/**
  * @brief Tilt that puts the collector's third axis on the sun at apparent noon.
  *
  * Cost: 1 flops (0 mul, 1 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[out] incl tilt that faces the noon sun, rad (quasi_steady-incl_aim)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int quasi_steady_aim_f64(
     const quasi_steady_params_f64 *p, double latitude, double declination, double *incl);
-
-/**
- * @brief What aim_setup hands to aim_step: 1 number.
- * Its fields may change from version to version.
- */
-typedef struct {
-  double latitude;
-} quasi_steady_aim_ctx_f64;
-
-/**
- * @brief Set-up of aim: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] p parameters; none of them is read
- * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
- * @param[out] ctx what aim_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int quasi_steady_aim_setup_f64(
-    const quasi_steady_params_f64 *p, double latitude, quasi_steady_aim_ctx_f64 *ctx);
-
-/**
- * @brief Step of aim. Tilt that puts the collector's third axis on the sun at apparent noon.
- *
- * Cost: 1 flops (0 mul, 1 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * @param[in] ctx what aim_setup left, its status not negative
- * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
- * @param[out] incl tilt that faces the noon sun, rad (quasi_steady-incl_aim)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int quasi_steady_aim_step_f64(
-    const quasi_steady_aim_ctx_f64 *ctx, double declination, double *incl);
 
 #endif
 

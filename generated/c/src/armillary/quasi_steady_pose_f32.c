@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_QUASI_STEADY_ABI) || (ARMILLARY_QUASI_STEADY_ABI != 0xb4c30552UL)
+#if !defined(ARMILLARY_QUASI_STEADY_ABI) || (ARMILLARY_QUASI_STEADY_ABI != 0xb21dc0fdUL)
 #error "quasi_steady.h is of another version than this file: copy both from one release"
 #endif
 

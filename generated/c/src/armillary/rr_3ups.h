@@ -3,12 +3,19 @@
  * @file rr_3ups.h
  * @brief Two-axis tracker on three legs.
  *
- * SI units, radians, right-handed frames; vectors at the boundary are local
- * east-north-up unless stated. Matrices are flat and row-major. Every function returns
- * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written. No pointer may be null. Inputs are read
- * before results are written, so they may overlap, except where a function says that they
- * must not. Where an input and a result have one name, the result's argument ends in _out.
+ * SI units, radians, right-handed frames; vectors at the boundary are local east-north-up
+ * unless stated. Matrices are flat and row-major. Every function returns an ARMILLARY status:
+ * 0 is OK, positive means every result is defined and finite, negative means that no result
+ * was written. No pointer may be null. Inputs are read before results are written, so they
+ * may overlap, except where a function says that they must not.
+ *
+ * Where an input and a result have one name, the result's argument ends in _out. A letter
+ * that headers of C, Arduino or AVR define as a macro (F, I) is nobody's name here: such a
+ * result ends in _out too, and such an input has a longer name.
+ *
+ * X_setup does what X does with all that the mount holds, once, and leaves it in a ctx;
+ * X_step does the rest, each time. A kernel whose step would cost no less than itself has
+ * neither.
  */
 #ifndef ARMILLARY_RR_3UPS_H
 #define ARMILLARY_RR_3UPS_H
@@ -18,13 +25,13 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_RR_3UPS_ABI 0x9702794cUL
+#define ARMILLARY_RR_3UPS_ABI 0x5c971b06UL
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/** Parameters of the rr 3ups system. */
+/** Parameters of the rr 3ups system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** Distance of spherical joint i from o, for each leg, m, refused outside [0, 1000], working
       range [0.2, 0.5]. */
@@ -83,7 +90,7 @@ typedef struct {
  * Cost: 4 flops (2 mul, 1 add, 0 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[out] alpha turn of the platform that faces the sun with beta >= 0, in [-pi, pi], rad
  *     (rr_3ups-alpha_aim)
  * @param[out] beta tilt of the platform that faces the sun, in [0, pi], rad (rr_3ups-beta_aim)
@@ -103,11 +110,11 @@ int rr_3ups_aim_f32(const rr_3ups_params_f32 *p, const float enu[3], float *alph
  * Cost: 22 flops (12 mul, 9 add, 0 div, 1 sqrt), 4 sin/cos, 2 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[in] alpha_before turn of the platform before the move, rad, refused outside [-1000,
- *     1000], working range [-3.2, 3.2]
+ *     1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta_before tilt of the platform before the move, rad, refused outside [-1000,
- *     1000], working range [-1.5, 1.5]
+ *     1000], working range [-1.6, 1.6]; each tick
  * @param[out] alpha turn of the nearest attitude that faces the sun, rad (rr_3ups-alpha_nearest)
  * @param[out] beta tilt of the nearest attitude that faces the sun, rad (rr_3ups-beta_nearest)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -126,11 +133,11 @@ int rr_3ups_aim_nearest_f32(
  * Cost: 45 flops (30 mul, 12 add, 2 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[in] enu_dot rate of the unit vector to the sun, 1/s, refused outside [-1e+06, 1e+06],
- *     working range [-1, 1]
+ *     working range [-1, 1]; each tick
  * @param[in] enu_ddot rate of enu_dot, 1/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[out] alpha turn of the platform that faces the sun with beta >= 0, in [-pi, pi], rad
  *     (rr_3ups-alpha_aim)
  * @param[out] beta tilt of the platform that faces the sun, in [0, pi], rad (rr_3ups-beta_aim)
@@ -156,13 +163,13 @@ int rr_3ups_aim_rates_f32(
  * Cost: 51 flops (36 mul, 13 add, 1 div, 1 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] hour_angle_rate rate of the hour angle, rad/s, refused outside [-1e+06, 1e+06],
- *     working range [-1, 1]
+ *     working range [-1, 1]; each tick
  * @param[out] alpha turn of the platform that faces the sun with beta >= 0, in [-pi, pi], rad
  *     (rr_3ups-alpha_track)
  * @param[out] beta tilt of the platform that faces the sun, in [0, pi], rad (rr_3ups-beta_track)
@@ -177,6 +184,8 @@ int rr_3ups_aim_rates_f32(
  *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: alpha is free, and every rate
  *     is given as 0
  *   BELOW_HORIZON: the sun is below the horizon: the attitude still faces it
+ * @see rr_3ups_track_setup_f32
+ * @see rr_3ups_track_step_f32
  */
 int rr_3ups_track_f32(
     const rr_3ups_params_f32 *p, float latitude, float declination, float hour_angle,
@@ -185,10 +194,15 @@ int rr_3ups_track_f32(
 
 /**
  * @brief What track_setup hands to track_step: 2 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of track_setup and a mark from its end, if it did not refuse.
+ *     Without the mark track_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds sun-pole.
  */
 typedef struct {
+  volatile unsigned long ready;
   float pole_y;
   float pole_z;
 } rr_3ups_track_ctx_f32;
@@ -197,12 +211,16 @@ typedef struct {
  * @brief Set-up of track: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; none of them is read
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
- * @param[out] ctx what track_step reads; untouched where the status is negative
+ *     working range [-1.5708, 1.5708]; held by the mount
+ * @param[out] ctx what track_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_track_f32
+ * @see rr_3ups_track_step_f32
  */
 int rr_3ups_track_setup_f32(
     const rr_3ups_params_f32 *p, float latitude, rr_3ups_track_ctx_f32 *ctx);
@@ -212,13 +230,13 @@ int rr_3ups_track_setup_f32(
  *     day are `day_limits` of the sun.
  *
  * Cost: 51 flops (36 mul, 13 add, 1 div, 1 sqrt), 4 sin/cos, 2 atan2.
- * @param[in] ctx what track_setup left, its status not negative
+ * @param[in] ctx what track_setup left; refused if it is not ready
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] hour_angle_rate rate of the hour angle, rad/s, refused outside [-1e+06, 1e+06],
- *     working range [-1, 1]
+ *     working range [-1, 1]; each tick
  * @param[out] alpha turn of the platform that faces the sun with beta >= 0, in [-pi, pi], rad
  *     (rr_3ups-alpha_track)
  * @param[out] beta tilt of the platform that faces the sun, in [0, pi], rad (rr_3ups-beta_track)
@@ -233,6 +251,9 @@ int rr_3ups_track_setup_f32(
  *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: alpha is free, and every rate
  *     is given as 0
  *   BELOW_HORIZON: the sun is below the horizon: the attitude still faces it
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_track_f32
+ * @see rr_3ups_track_setup_f32
  */
 int rr_3ups_track_step_f32(
     const rr_3ups_track_ctx_f32 *ctx, float declination, float hour_angle, float hour_angle_rate,
@@ -249,9 +270,9 @@ int rr_3ups_track_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] q length of leg i, for each leg, m, refused outside [0, 1000], working range [0.2,
- *     1.5]
+ *     1.5]; each tick
  * @param[in] guess start of the search, alpha and then beta,, for each way, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.5, 1.5]; each tick
  * @param[out] alpha turn of the platform at the lengths given, rad (rr_3ups-alpha_q)
  * @param[out] beta tilt of the platform at the lengths given, rad (rr_3ups-beta_q)
  * @param[out] residual what is left: root of the sum of the squared errors of the lengths, m
@@ -260,6 +281,8 @@ int rr_3ups_track_step_f32(
  *     ARMILLARY_OUT_OF_RANGE
  *   SINGULAR: some motion changes no length: the guess is given back
  *   NOT_CONVERGED: one more step would move an angle by more than 1e-4 rad
+ * @see rr_3ups_forward_setup_f32
+ * @see rr_3ups_forward_step_f32
  */
 int rr_3ups_forward_f32(
     const rr_3ups_params_f32 *p, const float q[3], const float guess[2], float *alpha,
@@ -267,10 +290,15 @@ int rr_3ups_forward_f32(
 
 /**
  * @brief What forward_setup hands to forward_step: 22 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of forward_setup and a mark from its end, if it did not refuse.
+ *     Without the mark forward_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-b_c, rr_3ups-a_c, rr_3ups-apart.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x[3];
   float b_y[3];
   float a_m_y[3];
@@ -285,11 +313,14 @@ typedef struct {
  * @brief Set-up of forward: all of it that changes with the mount only.
  *
  * Cost: 48 flops (30 mul, 18 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what forward_step reads; untouched where the status is negative
+ * @param[out] ctx what forward_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_forward_f32
+ * @see rr_3ups_forward_step_f32
  */
 int rr_3ups_forward_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_forward_ctx_f32 *ctx);
 
@@ -302,11 +333,11 @@ int rr_3ups_forward_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_forward_ctx_f
  *
  * Cost: 1042 flops (616 mul, 411 add, 8 div, 7 sqrt), 48 sin/cos, 4 atan2.
  * Inputs are read while results are written: they must not overlap.
- * @param[in] ctx what forward_setup left, its status not negative
+ * @param[in] ctx what forward_setup left; refused if it is not ready
  * @param[in] q length of leg i, for each leg, m, refused outside [0, 1000], working range [0.2,
- *     1.5]
+ *     1.5]; each tick
  * @param[in] guess start of the search, alpha and then beta,, for each way, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.5, 1.5]; each tick
  * @param[out] alpha turn of the platform at the lengths given, rad (rr_3ups-alpha_q)
  * @param[out] beta tilt of the platform at the lengths given, rad (rr_3ups-beta_q)
  * @param[out] residual what is left: root of the sum of the squared errors of the lengths, m
@@ -315,6 +346,9 @@ int rr_3ups_forward_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_forward_ctx_f
  *     ARMILLARY_OUT_OF_RANGE
  *   SINGULAR: some motion changes no length: the guess is given back
  *   NOT_CONVERGED: one more step would move an angle by more than 1e-4 rad
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_forward_f32
+ * @see rr_3ups_forward_setup_f32
  */
 int rr_3ups_forward_step_f32(
     const rr_3ups_forward_ctx_f32 *ctx, const float q[3], const float guess[2], float *alpha,
@@ -326,9 +360,9 @@ int rr_3ups_forward_step_f32(
  * Cost: 4 flops (4 mul, 0 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] R_m rotation of the platform: its axes in the world's, 3 by 3, row-major
  *     (rr_3ups-R_m)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -343,20 +377,27 @@ int rr_3ups_platform_f32(const rr_3ups_params_f32 *p, float alpha, float beta, f
  * @param[in] p parameters; not read: R, theta, h, zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m,
  *     r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] P position of spherical joint i, world axes, for each leg, 3 by 3, row-major, m
  *     (rr_3ups-P)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_joints_setup_f32
+ * @see rr_3ups_joints_step_f32
  */
 int rr_3ups_joints_f32(const rr_3ups_params_f32 *p, float alpha, float beta, float P[9]);
 
 /**
  * @brief What joints_setup hands to joints_step: 7 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of joints_setup and a mark from its end, if it did not refuse.
+ *     Without the mark joints_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float m1[3];
   float m2[3];
   float h_0;
@@ -366,12 +407,15 @@ typedef struct {
  * @brief Set-up of joints: all of it that changes with the mount only.
  *
  * Cost: 6 flops (6 mul, 0 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: R, theta, h, zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m,
  *     r_sc, g
- * @param[out] ctx what joints_step reads; untouched where the status is negative
+ * @param[out] ctx what joints_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_joints_f32
+ * @see rr_3ups_joints_step_f32
  */
 int rr_3ups_joints_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_joints_ctx_f32 *ctx);
 
@@ -379,14 +423,17 @@ int rr_3ups_joints_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_joints_ctx_f32
  * @brief Step of joints. Positions of the three spherical joints, world axes.
  *
  * Cost: 26 flops (17 mul, 9 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what joints_setup left, its status not negative
+ * @param[in] ctx what joints_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] P position of spherical joint i, world axes, for each leg, 3 by 3, row-major, m
  *     (rr_3ups-P)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_joints_f32
+ * @see rr_3ups_joints_setup_f32
  */
 int rr_3ups_joints_step_f32(
     const rr_3ups_joints_ctx_f32 *ctx, float alpha, float beta, float P[9]);
@@ -398,20 +445,28 @@ int rr_3ups_joints_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] q length of leg i, for each leg, m (rr_3ups-q_leg)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_leg_lengths_setup_f32
+ * @see rr_3ups_leg_lengths_step_f32
  */
 int rr_3ups_leg_lengths_f32(const rr_3ups_params_f32 *p, float alpha, float beta, float q[3]);
 
 /**
  * @brief What leg_lengths_setup hands to leg_lengths_step: 15 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of leg_lengths_setup and a mark from its end, if it did not
+ *     refuse. Without the mark leg_lengths_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c.
  */
 typedef struct {
+  volatile unsigned long ready;
   float a_m_y[3];
   float b_x[3];
   float b_y[3];
@@ -423,11 +478,14 @@ typedef struct {
  * @brief Set-up of leg_lengths: all of it that changes with the mount only.
  *
  * Cost: 15 flops (12 mul, 3 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what leg_lengths_step reads; untouched where the status is negative
+ * @param[out] ctx what leg_lengths_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_leg_lengths_f32
+ * @see rr_3ups_leg_lengths_step_f32
  */
 int rr_3ups_leg_lengths_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_leg_lengths_ctx_f32 *ctx);
 
@@ -435,13 +493,16 @@ int rr_3ups_leg_lengths_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_leg_lengt
  * @brief Step of leg_lengths. Lengths of the three legs.
  *
  * Cost: 51 flops (27 mul, 21 add, 0 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what leg_lengths_setup left, its status not negative
+ * @param[in] ctx what leg_lengths_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] q length of leg i, for each leg, m (rr_3ups-q_leg)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_leg_lengths_f32
+ * @see rr_3ups_leg_lengths_setup_f32
  */
 int rr_3ups_leg_lengths_step_f32(
     const rr_3ups_leg_lengths_ctx_f32 *ctx, float alpha, float beta, float q[3]);
@@ -453,16 +514,18 @@ int rr_3ups_leg_lengths_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[out] q_dot rate of length i, for each leg, m/s (rr_3ups-q_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ * @see rr_3ups_leg_rates_setup_f32
+ * @see rr_3ups_leg_rates_step_f32
  */
 int rr_3ups_leg_rates_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -470,10 +533,15 @@ int rr_3ups_leg_rates_f32(
 
 /**
  * @brief What leg_rates_setup hands to leg_rates_step: 15 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of leg_rates_setup and a mark from its end, if it did not
+ *     refuse. Without the mark leg_rates_step answers ARMILLARY_OUT_OF_RANGE and writes nothing:
+ *     a machine does not go on with a mount that was never told, or that was told wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x[3];
   float b_y[3];
   float a_m_y[3];
@@ -485,11 +553,14 @@ typedef struct {
  * @brief Set-up of leg_rates: all of it that changes with the mount only.
  *
  * Cost: 15 flops (12 mul, 3 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what leg_rates_step reads; untouched where the status is negative
+ * @param[out] ctx what leg_rates_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_leg_rates_f32
+ * @see rr_3ups_leg_rates_step_f32
  */
 int rr_3ups_leg_rates_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_leg_rates_ctx_f32 *ctx);
 
@@ -497,18 +568,21 @@ int rr_3ups_leg_rates_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_leg_rates_c
  * @brief Step of leg_rates. Rates of the three lengths.
  *
  * Cost: 87 flops (51 mul, 30 add, 3 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what leg_rates_setup left, its status not negative
+ * @param[in] ctx what leg_rates_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[out] q_dot rate of length i, for each leg, m/s (rr_3ups-q_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_leg_rates_f32
+ * @see rr_3ups_leg_rates_setup_f32
  */
 int rr_3ups_leg_rates_step_f32(
     const rr_3ups_leg_rates_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -521,20 +595,22 @@ int rr_3ups_leg_rates_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[out] q_ddot acceleration of length i, for each leg, m/s^2 (rr_3ups-q_ddot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ * @see rr_3ups_leg_accelerations_setup_f32
+ * @see rr_3ups_leg_accelerations_step_f32
  */
 int rr_3ups_leg_accelerations_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -542,10 +618,16 @@ int rr_3ups_leg_accelerations_f32(
 
 /**
  * @brief What leg_accelerations_setup hands to leg_accelerations_step: 15 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of leg_accelerations_setup and a mark from its end, if it did
+ *     not refuse. Without the mark leg_accelerations_step answers ARMILLARY_OUT_OF_RANGE and
+ *     writes nothing: a machine does not go on with a mount that was never told, or that was
+ *     told wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x[3];
   float b_y[3];
   float a_m_y[3];
@@ -557,11 +639,14 @@ typedef struct {
  * @brief Set-up of leg_accelerations: all of it that changes with the mount only.
  *
  * Cost: 15 flops (12 mul, 3 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what leg_accelerations_step reads; untouched where the status is negative
+ * @param[out] ctx what leg_accelerations_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_leg_accelerations_f32
+ * @see rr_3ups_leg_accelerations_step_f32
  */
 int rr_3ups_leg_accelerations_setup_f32(
     const rr_3ups_params_f32 *p, rr_3ups_leg_accelerations_ctx_f32 *ctx);
@@ -570,22 +655,25 @@ int rr_3ups_leg_accelerations_setup_f32(
  * @brief Step of leg_accelerations. Accelerations of the three lengths.
  *
  * Cost: 162 flops (99 mul, 57 add, 3 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what leg_accelerations_setup left, its status not negative
+ * @param[in] ctx what leg_accelerations_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[out] q_ddot acceleration of length i, for each leg, m/s^2 (rr_3ups-q_ddot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_leg_accelerations_f32
+ * @see rr_3ups_leg_accelerations_setup_f32
  */
 int rr_3ups_leg_accelerations_step_f32(
     const rr_3ups_leg_accelerations_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -598,22 +686,29 @@ int rr_3ups_leg_accelerations_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] J Jacobian from the rates of alpha and beta to those of the lengths, row i, for
  *     each leg, 3 by 2, row-major, m (rr_3ups-J)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ * @see rr_3ups_jacobian_setup_f32
+ * @see rr_3ups_jacobian_step_f32
  */
 int rr_3ups_jacobian_f32(const rr_3ups_params_f32 *p, float alpha, float beta, float J[6]);
 
 /**
  * @brief What jacobian_setup hands to jacobian_step: 15 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of jacobian_setup and a mark from its end, if it did not refuse.
+ *     Without the mark jacobian_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a
+ *     machine does not go on with a mount that was never told, or that was told wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x[3];
   float b_y[3];
   float a_m_y[3];
@@ -625,11 +720,14 @@ typedef struct {
  * @brief Set-up of jacobian: all of it that changes with the mount only.
  *
  * Cost: 15 flops (12 mul, 3 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what jacobian_step reads; untouched where the status is negative
+ * @param[out] ctx what jacobian_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_jacobian_f32
+ * @see rr_3ups_jacobian_step_f32
  */
 int rr_3ups_jacobian_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_jacobian_ctx_f32 *ctx);
 
@@ -637,15 +735,18 @@ int rr_3ups_jacobian_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_jacobian_ctx
  * @brief Step of jacobian. Jacobian from the rates of alpha and beta to those of the lengths.
  *
  * Cost: 78 flops (45 mul, 27 add, 3 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_setup left, its status not negative
+ * @param[in] ctx what jacobian_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] J Jacobian from the rates of alpha and beta to those of the lengths, row i, for
  *     each leg, 3 by 2, row-major, m (rr_3ups-J)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_jacobian_f32
+ * @see rr_3ups_jacobian_setup_f32
  */
 int rr_3ups_jacobian_step_f32(
     const rr_3ups_jacobian_ctx_f32 *ctx, float alpha, float beta, float J[6]);
@@ -657,17 +758,19 @@ int rr_3ups_jacobian_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[out] J_dot rate of row i of the Jacobian, for each leg, 3 by 2, row-major, m/s
  *     (rr_3ups-J_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ * @see rr_3ups_jacobian_rate_setup_f32
+ * @see rr_3ups_jacobian_rate_step_f32
  */
 int rr_3ups_jacobian_rate_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -675,10 +778,16 @@ int rr_3ups_jacobian_rate_f32(
 
 /**
  * @brief What jacobian_rate_setup hands to jacobian_rate_step: 15 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of jacobian_rate_setup and a mark from its end, if it did not
+ *     refuse. Without the mark jacobian_rate_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x[3];
   float b_y[3];
   float a_m_y[3];
@@ -690,11 +799,14 @@ typedef struct {
  * @brief Set-up of jacobian_rate: all of it that changes with the mount only.
  *
  * Cost: 15 flops (12 mul, 3 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what jacobian_rate_step reads; untouched where the status is negative
+ * @param[out] ctx what jacobian_rate_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_jacobian_rate_f32
+ * @see rr_3ups_jacobian_rate_step_f32
  */
 int rr_3ups_jacobian_rate_setup_f32(
     const rr_3ups_params_f32 *p, rr_3ups_jacobian_rate_ctx_f32 *ctx);
@@ -703,19 +815,22 @@ int rr_3ups_jacobian_rate_setup_f32(
  * @brief Step of jacobian_rate. Rate of that Jacobian.
  *
  * Cost: 141 flops (87 mul, 48 add, 3 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_rate_setup left, its status not negative
+ * @param[in] ctx what jacobian_rate_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[out] J_dot rate of row i of the Jacobian, for each leg, 3 by 2, row-major, m/s
  *     (rr_3ups-J_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_jacobian_rate_f32
+ * @see rr_3ups_jacobian_rate_setup_f32
  */
 int rr_3ups_jacobian_rate_step_f32(
     const rr_3ups_jacobian_rate_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -728,9 +843,9 @@ int rr_3ups_jacobian_rate_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] gamma angle of leg i about the first axis of its universal joint, in [-pi, pi],
  *     for each leg, rad (rr_3ups-gamma)
  * @param[out] psi angle of leg i about the second axis of its universal joint, in [-pi/2, pi/2],
@@ -739,16 +854,24 @@ int rr_3ups_jacobian_rate_step_f32(
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ * @see rr_3ups_leg_angles_setup_f32
+ * @see rr_3ups_leg_angles_step_f32
  */
 int rr_3ups_leg_angles_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float gamma[3], float psi[3]);
 
 /**
  * @brief What leg_angles_setup hands to leg_angles_step: 25 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of leg_angles_setup and a mark from its end, if it did not
+ *     refuse. Without the mark leg_angles_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b, rr_3ups-first, rr_3ups-b_c.
  */
 typedef struct {
+  volatile unsigned long ready;
   float a_m_y[3];
   float a_m_x[3];
   float h_0;
@@ -764,11 +887,14 @@ typedef struct {
  * @brief Set-up of leg_angles: all of it that changes with the mount only.
  *
  * Cost: 15 flops (12 mul, 3 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what leg_angles_step reads; untouched where the status is negative
+ * @param[out] ctx what leg_angles_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_leg_angles_f32
+ * @see rr_3ups_leg_angles_step_f32
  */
 int rr_3ups_leg_angles_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_leg_angles_ctx_f32 *ctx);
 
@@ -777,11 +903,11 @@ int rr_3ups_leg_angles_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_leg_angles
  *     joints.
  *
  * Cost: 174 flops (99 mul, 63 add, 3 div, 9 sqrt), 4 sin/cos, 6 atan2.
- * @param[in] ctx what leg_angles_setup left, its status not negative
+ * @param[in] ctx what leg_angles_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] gamma angle of leg i about the first axis of its universal joint, in [-pi, pi],
  *     for each leg, rad (rr_3ups-gamma)
  * @param[out] psi angle of leg i about the second axis of its universal joint, in [-pi/2, pi/2],
@@ -790,6 +916,9 @@ int rr_3ups_leg_angles_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_leg_angles
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_leg_angles_f32
+ * @see rr_3ups_leg_angles_setup_f32
  */
 int rr_3ups_leg_angles_step_f32(
     const rr_3ups_leg_angles_ctx_f32 *ctx, float alpha, float beta, float gamma[3], float psi[3]);
@@ -798,21 +927,21 @@ int rr_3ups_leg_angles_step_f32(
  * @brief Angular velocity and acceleration of the three legs, and velocities and accelerations
  *     of the centres of mass of their links, world axes.
  *
- * Cost: 815 flops (529 mul, 274 add, 6 div, 6 sqrt), 22 sin/cos, 0 atan2.
+ * Cost: 746 flops (484 mul, 250 add, 6 div, 6 sqrt), 22 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[out] omega angular velocity of leg i, world axes, for each leg, 3 by 3, row-major,
  *     rad/s (rr_3ups-omega_W)
  * @param[out] omega_dot angular acceleration of leg i, world axes, for each leg, 3 by 3,
@@ -829,6 +958,8 @@ int rr_3ups_leg_angles_step_f32(
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ * @see rr_3ups_leg_motion_setup_f32
+ * @see rr_3ups_leg_motion_step_f32
  */
 int rr_3ups_leg_motion_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -837,10 +968,16 @@ int rr_3ups_leg_motion_f32(
 
 /**
  * @brief What leg_motion_setup hands to leg_motion_step: 27 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of leg_motion_setup and a mark from its end, if it did not
+ *     refuse. Without the mark leg_motion_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first.
  */
 typedef struct {
+  volatile unsigned long ready;
   float a_m_y[3];
   float b_x[3];
   float b_y[3];
@@ -856,11 +993,14 @@ typedef struct {
  * @brief Set-up of leg_motion: all of it that changes with the mount only.
  *
  * Cost: 15 flops (12 mul, 3 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what leg_motion_step reads; untouched where the status is negative
+ * @param[out] ctx what leg_motion_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_leg_motion_f32
+ * @see rr_3ups_leg_motion_step_f32
  */
 int rr_3ups_leg_motion_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_leg_motion_ctx_f32 *ctx);
 
@@ -868,20 +1008,20 @@ int rr_3ups_leg_motion_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_leg_motion
  * @brief Step of leg_motion. Angular velocity and acceleration of the three legs, and velocities
  *     and accelerations of the centres of mass of their links, world axes.
  *
- * Cost: 800 flops (517 mul, 271 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what leg_motion_setup left, its status not negative
+ * Cost: 731 flops (472 mul, 247 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what leg_motion_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[out] omega angular velocity of leg i, world axes, for each leg, 3 by 3, row-major,
  *     rad/s (rr_3ups-omega_W)
  * @param[out] omega_dot angular acceleration of leg i, world axes, for each leg, 3 by 3,
@@ -898,6 +1038,9 @@ int rr_3ups_leg_motion_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_leg_motion
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_leg_motion_f32
+ * @see rr_3ups_leg_motion_setup_f32
  */
 int rr_3ups_leg_motion_step_f32(
     const rr_3ups_leg_motion_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -905,23 +1048,24 @@ int rr_3ups_leg_motion_step_f32(
     float v_t[9], float a_t[9], float v_s[9], float a_s[9]);
 
 /**
- * @brief The same of legs that do not spin, as the paper takes them.
+ * @brief The same of legs that do not spin, as the paper takes them: also where a leg stands
+ *     along the first axis of its universal joint.
  *
- * Cost: 758 flops (502 mul, 244 add, 6 div, 6 sqrt), 22 sin/cos, 0 atan2.
+ * Cost: 476 flops (310 mul, 160 add, 3 div, 3 sqrt), 16 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
- * @param[in] p parameters; not read: m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
+ * @param[in] p parameters; not read: zeta, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[out] omega angular velocity of leg i if it does not spin, world axes, for each leg, 3
  *     by 3, row-major, rad/s (rr_3ups-omega_free_W)
  * @param[out] omega_dot angular acceleration of leg i if it does not spin, world axes, for each
@@ -936,8 +1080,8 @@ int rr_3ups_leg_motion_step_f32(
  *     by 3, row-major, m/s^2 (rr_3ups-a_s)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
- *     of the joint gives it every motion
+ * @see rr_3ups_leg_motion_spin_free_setup_f32
+ * @see rr_3ups_leg_motion_spin_free_step_f32
  */
 int rr_3ups_leg_motion_spin_free_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -945,18 +1089,22 @@ int rr_3ups_leg_motion_spin_free_f32(
     float a_t[9], float v_s[9], float a_s[9]);
 
 /**
- * @brief What leg_motion_spin_free_setup hands to leg_motion_spin_free_step: 27 numbers.
- * Its fields may change from version to version.
- * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first.
+ * @brief What leg_motion_spin_free_setup hands to leg_motion_spin_free_step: 21 numbers.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of leg_motion_spin_free_setup and a mark from its end, if it did
+ *     not refuse. Without the mark leg_motion_spin_free_step answers ARMILLARY_OUT_OF_RANGE and
+ *     writes nothing: a machine does not go on with a mount that was never told, or that was
+ *     told wrong.
+ * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c.
  */
 typedef struct {
+  volatile unsigned long ready;
   float a_m_y[3];
   float b_x[3];
   float b_y[3];
   float a_m_x[3];
   float b_c_z[3];
-  float sin_zeta[3];
-  float first_z[3];
   float t[3];
   float s[3];
 } rr_3ups_leg_motion_spin_free_ctx_f32;
@@ -964,34 +1112,37 @@ typedef struct {
 /**
  * @brief Set-up of leg_motion_spin_free: all of it that changes with the mount only.
  *
- * Cost: 15 flops (12 mul, 3 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
- * @param[in] p parameters; not read: m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what leg_motion_spin_free_step reads; untouched where the status is negative
+ * Cost: 15 flops (12 mul, 3 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
+ * @param[in] p parameters; not read: zeta, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
+ * @param[out] ctx what leg_motion_spin_free_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_leg_motion_spin_free_f32
+ * @see rr_3ups_leg_motion_spin_free_step_f32
  */
 int rr_3ups_leg_motion_spin_free_setup_f32(
     const rr_3ups_params_f32 *p, rr_3ups_leg_motion_spin_free_ctx_f32 *ctx);
 
 /**
  * @brief Step of leg_motion_spin_free. The same of legs that do not spin, as the paper takes
- *     them.
+ *     them: also where a leg stands along the first axis of its universal joint.
  *
- * Cost: 743 flops (490 mul, 241 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what leg_motion_spin_free_setup left, its status not negative
+ * Cost: 461 flops (298 mul, 157 add, 3 div, 3 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what leg_motion_spin_free_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[out] omega angular velocity of leg i if it does not spin, world axes, for each leg, 3
  *     by 3, row-major, rad/s (rr_3ups-omega_free_W)
  * @param[out] omega_dot angular acceleration of leg i if it does not spin, world axes, for each
@@ -1006,8 +1157,9 @@ int rr_3ups_leg_motion_spin_free_setup_f32(
  *     by 3, row-major, m/s^2 (rr_3ups-a_s)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
- *     of the joint gives it every motion
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_leg_motion_spin_free_f32
+ * @see rr_3ups_leg_motion_spin_free_setup_f32
  */
 int rr_3ups_leg_motion_spin_free_step_f32(
     const rr_3ups_leg_motion_spin_free_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -1022,24 +1174,32 @@ int rr_3ups_leg_motion_spin_free_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] det_2 determinant of the Jacobian of legs 1 and 2, m^2 (rr_3ups-det_2)
  * @param[out] sigma_min smallest singular value of J: how far some leg moves per unit of the
  *     worst motion; 0 where drives do not hold, m (rr_3ups-sigma_min)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ * @see rr_3ups_singularity_setup_f32
+ * @see rr_3ups_singularity_step_f32
  */
 int rr_3ups_singularity_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float *det_2, float *sigma_min);
 
 /**
  * @brief What singularity_setup hands to singularity_step: 16 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of singularity_setup and a mark from its end, if it did not
+ *     refuse. Without the mark singularity_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x[3];
   float b_y[3];
   float a_m_y[3];
@@ -1052,11 +1212,14 @@ typedef struct {
  * @brief Set-up of singularity: all of it that changes with the mount only.
  *
  * Cost: 23 flops (17 mul, 6 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what singularity_step reads; untouched where the status is negative
+ * @param[out] ctx what singularity_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_singularity_f32
+ * @see rr_3ups_singularity_step_f32
  */
 int rr_3ups_singularity_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_singularity_ctx_f32 *ctx);
 
@@ -1066,16 +1229,19 @@ int rr_3ups_singularity_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_singulari
  *     of all three.
  *
  * Cost: 118 flops (67 mul, 42 add, 4 div, 5 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what singularity_setup left, its status not negative
+ * @param[in] ctx what singularity_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] det_2 determinant of the Jacobian of legs 1 and 2, m^2 (rr_3ups-det_2)
  * @param[out] sigma_min smallest singular value of J: how far some leg moves per unit of the
  *     worst motion; 0 where drives do not hold, m (rr_3ups-sigma_min)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_singularity_f32
+ * @see rr_3ups_singularity_setup_f32
  */
 int rr_3ups_singularity_step_f32(
     const rr_3ups_singularity_ctx_f32 *ctx, float alpha, float beta, float *det_2,
@@ -1088,28 +1254,30 @@ int rr_3ups_singularity_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] tau generalised force that the drives must give: moments about the axes of alpha
  *     and beta, N*m (rr_3ups-tau)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ * @see rr_3ups_generalized_force_setup_f32
+ * @see rr_3ups_generalized_force_step_f32
  */
 int rr_3ups_generalized_force_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -1117,10 +1285,16 @@ int rr_3ups_generalized_force_f32(
 
 /**
  * @brief What generalized_force_setup hands to generalized_force_step: 61 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of generalized_force_setup and a mark from its end, if it did
+ *     not refuse. Without the mark generalized_force_step answers ARMILLARY_OUT_OF_RANGE and
+ *     writes nothing: a machine does not go on with a mount that was never told, or that was
+ *     told wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   float a_m_y[3];
   float b_x[3];
   float b_y[3];
@@ -1154,11 +1328,14 @@ typedef struct {
  * @brief Set-up of generalized_force: all of it that changes with the mount only.
  *
  * Cost: 40 flops (16 mul, 24 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what generalized_force_step reads; untouched where the status is negative
+ * @param[out] ctx what generalized_force_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_generalized_force_f32
+ * @see rr_3ups_generalized_force_step_f32
  */
 int rr_3ups_generalized_force_setup_f32(
     const rr_3ups_params_f32 *p, rr_3ups_generalized_force_ctx_f32 *ctx);
@@ -1168,30 +1345,33 @@ int rr_3ups_generalized_force_setup_f32(
  *     must give.
  *
  * Cost: 613 flops (386 mul, 215 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what generalized_force_setup left, its status not negative
+ * @param[in] ctx what generalized_force_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] tau generalised force that the drives must give: moments about the axes of alpha
  *     and beta, N*m (rr_3ups-tau)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_generalized_force_f32
+ * @see rr_3ups_generalized_force_setup_f32
  */
 int rr_3ups_generalized_force_step_f32(
     const rr_3ups_generalized_force_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -1199,35 +1379,38 @@ int rr_3ups_generalized_force_step_f32(
     float tau[2]);
 
 /**
- * @brief The same where leg 3 is absent with its masses: its parameters must be legal, 0 serves,
- *     and are not felt.
+ * @brief The same where leg 3 is absent with its masses. Its parameters must be legal, 0 serves,
+ *     and no result depends on them; a call still works through three legs in its loop, and
+ *     leaves the third aside.
  *
  * Cost: 652 flops (405 mul, 235 add, 6 div, 6 sqrt), 22 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] tau generalised force that two drives must give where leg 3 is absent, N*m
  *     (rr_3ups-tau_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ * @see rr_3ups_generalized_force_two_legs_setup_f32
+ * @see rr_3ups_generalized_force_two_legs_step_f32
  */
 int rr_3ups_generalized_force_two_legs_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -1236,10 +1419,16 @@ int rr_3ups_generalized_force_two_legs_f32(
 /**
  * @brief What generalized_force_two_legs_setup hands to generalized_force_two_legs_step: 61
  *     numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of generalized_force_two_legs_setup and a mark from its end, if
+ *     it did not refuse. Without the mark generalized_force_two_legs_step answers
+ *     ARMILLARY_OUT_OF_RANGE and writes nothing: a machine does not go on with a mount that was
+ *     never told, or that was told wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   float a_m_y[3];
   float b_x[3];
   float b_y[3];
@@ -1273,45 +1462,51 @@ typedef struct {
  * @brief Set-up of generalized_force_two_legs: all of it that changes with the mount only.
  *
  * Cost: 40 flops (16 mul, 24 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what generalized_force_two_legs_step reads; untouched where the status is
- *     negative
+ * @param[out] ctx what generalized_force_two_legs_step reads; not ready where the status is
+ *     negative, whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_generalized_force_two_legs_f32
+ * @see rr_3ups_generalized_force_two_legs_step_f32
  */
 int rr_3ups_generalized_force_two_legs_setup_f32(
     const rr_3ups_params_f32 *p, rr_3ups_generalized_force_two_legs_ctx_f32 *ctx);
 
 /**
- * @brief Step of generalized_force_two_legs. The same where leg 3 is absent with its masses: its
- *     parameters must be legal, 0 serves, and are not felt.
+ * @brief Step of generalized_force_two_legs. The same where leg 3 is absent with its masses. Its
+ *     parameters must be legal, 0 serves, and no result depends on them; a call still works
+ *     through three legs in its loop, and leaves the third aside.
  *
  * Cost: 609 flops (386 mul, 211 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what generalized_force_two_legs_setup left, its status not negative
+ * @param[in] ctx what generalized_force_two_legs_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] tau generalised force that two drives must give where leg 3 is absent, N*m
  *     (rr_3ups-tau_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_generalized_force_two_legs_f32
+ * @see rr_3ups_generalized_force_two_legs_setup_f32
  */
 int rr_3ups_generalized_force_two_legs_step_f32(
     const rr_3ups_generalized_force_two_legs_ctx_f32 *ctx, float alpha, float beta,
@@ -1325,28 +1520,30 @@ int rr_3ups_generalized_force_two_legs_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] tau generalised force that the drives must give if legs do not spin, N*m
  *     (rr_3ups-tau_free)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
- *     of the joint gives it every motion
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: the axes
+ *     of its moments of inertia have no direction
+ * @see rr_3ups_generalized_force_spin_free_setup_f32
+ * @see rr_3ups_generalized_force_spin_free_step_f32
  */
 int rr_3ups_generalized_force_spin_free_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -1355,10 +1552,16 @@ int rr_3ups_generalized_force_spin_free_f32(
 /**
  * @brief What generalized_force_spin_free_setup hands to generalized_force_spin_free_step: 49
  *     numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of generalized_force_spin_free_setup and a mark from its end, if
+ *     it did not refuse. Without the mark generalized_force_spin_free_step answers
+ *     ARMILLARY_OUT_OF_RANGE and writes nothing: a machine does not go on with a mount that was
+ *     never told, or that was told wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   float a_m_y[3];
   float b_x[3];
   float b_y[3];
@@ -1388,12 +1591,14 @@ typedef struct {
  * @brief Set-up of generalized_force_spin_free: all of it that changes with the mount only.
  *
  * Cost: 28 flops (16 mul, 12 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what generalized_force_spin_free_step reads; untouched where the status is
- *     negative
+ * @param[out] ctx what generalized_force_spin_free_step reads; not ready where the status is
+ *     negative, whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_generalized_force_spin_free_f32
+ * @see rr_3ups_generalized_force_spin_free_step_f32
  */
 int rr_3ups_generalized_force_spin_free_setup_f32(
     const rr_3ups_params_f32 *p, rr_3ups_generalized_force_spin_free_ctx_f32 *ctx);
@@ -1403,30 +1608,33 @@ int rr_3ups_generalized_force_spin_free_setup_f32(
  *     takes them.
  *
  * Cost: 532 flops (335 mul, 185 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what generalized_force_spin_free_setup left, its status not negative
+ * @param[in] ctx what generalized_force_spin_free_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] tau generalised force that the drives must give if legs do not spin, N*m
  *     (rr_3ups-tau_free)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
- *     of the joint gives it every motion
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: the axes
+ *     of its moments of inertia have no direction
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_generalized_force_spin_free_f32
+ * @see rr_3ups_generalized_force_spin_free_setup_f32
  */
 int rr_3ups_generalized_force_spin_free_step_f32(
     const rr_3ups_generalized_force_spin_free_ctx_f32 *ctx, float alpha, float beta,
@@ -1440,22 +1648,22 @@ int rr_3ups_generalized_force_spin_free_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] F_out forces of the three drives, of least norm; extending positive, N
  *     (rr_3ups-F_q)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -1465,6 +1673,8 @@ int rr_3ups_generalized_force_spin_free_step_f32(
  *     of the joint gives it every motion
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ * @see rr_3ups_forces_setup_f32
+ * @see rr_3ups_forces_step_f32
  */
 int rr_3ups_forces_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -1472,10 +1682,15 @@ int rr_3ups_forces_f32(
 
 /**
  * @brief What forces_setup hands to forces_step: 62 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of forces_setup and a mark from its end, if it did not refuse.
+ *     Without the mark forces_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x[3];
   float b_y[3];
   float a_m_y[3];
@@ -1510,11 +1725,14 @@ typedef struct {
  * @brief Set-up of forces: all of it that changes with the mount only.
  *
  * Cost: 48 flops (21 mul, 27 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what forces_step reads; untouched where the status is negative
+ * @param[out] ctx what forces_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_forces_f32
+ * @see rr_3ups_forces_step_f32
  */
 int rr_3ups_forces_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_forces_ctx_f32 *ctx);
 
@@ -1522,24 +1740,24 @@ int rr_3ups_forces_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_forces_ctx_f32
  * @brief Step of forces. Forces of the three drives, of least norm; extending positive.
  *
  * Cost: 649 flops (410 mul, 226 add, 7 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what forces_setup left, its status not negative
+ * @param[in] ctx what forces_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] F_out forces of the three drives, of least norm; extending positive, N
  *     (rr_3ups-F_q)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -1549,6 +1767,9 @@ int rr_3ups_forces_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_forces_ctx_f32
  *     of the joint gives it every motion
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_forces_f32
+ * @see rr_3ups_forces_setup_f32
  */
 int rr_3ups_forces_step_f32(
     const rr_3ups_forces_ctx_f32 *ctx, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -1561,31 +1782,33 @@ int rr_3ups_forces_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] F_out forces of the three drives of legs that do not spin, of least norm;
  *     extending positive, N (rr_3ups-F_q_free)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
- *     of the joint gives it every motion
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: the axes
+ *     of its moments of inertia have no direction
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ * @see rr_3ups_forces_spin_free_setup_f32
+ * @see rr_3ups_forces_spin_free_step_f32
  */
 int rr_3ups_forces_spin_free_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -1593,10 +1816,16 @@ int rr_3ups_forces_spin_free_f32(
 
 /**
  * @brief What forces_spin_free_setup hands to forces_spin_free_step: 50 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of forces_spin_free_setup and a mark from its end, if it did not
+ *     refuse. Without the mark forces_spin_free_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x[3];
   float b_y[3];
   float a_m_y[3];
@@ -1627,11 +1856,14 @@ typedef struct {
  * @brief Set-up of forces_spin_free: all of it that changes with the mount only.
  *
  * Cost: 36 flops (21 mul, 15 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what forces_spin_free_step reads; untouched where the status is negative
+ * @param[out] ctx what forces_spin_free_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_forces_spin_free_f32
+ * @see rr_3ups_forces_spin_free_step_f32
  */
 int rr_3ups_forces_spin_free_setup_f32(
     const rr_3ups_params_f32 *p, rr_3ups_forces_spin_free_ctx_f32 *ctx);
@@ -1640,33 +1872,36 @@ int rr_3ups_forces_spin_free_setup_f32(
  * @brief Step of forces_spin_free. The same of legs that do not spin, as the paper takes them.
  *
  * Cost: 568 flops (359 mul, 196 add, 7 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what forces_spin_free_setup left, its status not negative
+ * @param[in] ctx what forces_spin_free_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] F_out forces of the three drives of legs that do not spin, of least norm;
  *     extending positive, N (rr_3ups-F_q_free)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
- *     of the joint gives it every motion
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: the axes
+ *     of its moments of inertia have no direction
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_forces_spin_free_f32
+ * @see rr_3ups_forces_spin_free_setup_f32
  */
 int rr_3ups_forces_spin_free_step_f32(
     const rr_3ups_forces_spin_free_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -1680,24 +1915,24 @@ int rr_3ups_forces_spin_free_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[in] preload internal force: legs press against each other by it and the platform does
- *     not move, N, refused outside [-1e+06, 1e+06], working range [-100, 100]
+ *     not move, N, refused outside [-1e+06, 1e+06], working range [-100, 100]; each tick
  * @param[out] F_out forces of the three drives with an internal force, extending positive, N
  *     (rr_3ups-F_preloaded)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -1707,6 +1942,8 @@ int rr_3ups_forces_spin_free_step_f32(
  *     of the joint gives it every motion
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ * @see rr_3ups_forces_preloaded_setup_f32
+ * @see rr_3ups_forces_preloaded_step_f32
  */
 int rr_3ups_forces_preloaded_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -1715,10 +1952,16 @@ int rr_3ups_forces_preloaded_f32(
 
 /**
  * @brief What forces_preloaded_setup hands to forces_preloaded_step: 62 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of forces_preloaded_setup and a mark from its end, if it did not
+ *     refuse. Without the mark forces_preloaded_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x[3];
   float b_y[3];
   float a_m_y[3];
@@ -1753,11 +1996,14 @@ typedef struct {
  * @brief Set-up of forces_preloaded: all of it that changes with the mount only.
  *
  * Cost: 48 flops (21 mul, 27 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what forces_preloaded_step reads; untouched where the status is negative
+ * @param[out] ctx what forces_preloaded_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_forces_preloaded_f32
+ * @see rr_3ups_forces_preloaded_step_f32
  */
 int rr_3ups_forces_preloaded_setup_f32(
     const rr_3ups_params_f32 *p, rr_3ups_forces_preloaded_ctx_f32 *ctx);
@@ -1767,26 +2013,26 @@ int rr_3ups_forces_preloaded_setup_f32(
  *     moves nothing.
  *
  * Cost: 660 flops (417 mul, 229 add, 7 div, 7 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what forces_preloaded_setup left, its status not negative
+ * @param[in] ctx what forces_preloaded_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[in] preload internal force: legs press against each other by it and the platform does
- *     not move, N, refused outside [-1e+06, 1e+06], working range [-100, 100]
+ *     not move, N, refused outside [-1e+06, 1e+06], working range [-100, 100]; each tick
  * @param[out] F_out forces of the three drives with an internal force, extending positive, N
  *     (rr_3ups-F_preloaded)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -1796,6 +2042,9 @@ int rr_3ups_forces_preloaded_setup_f32(
  *     of the joint gives it every motion
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_forces_preloaded_f32
+ * @see rr_3ups_forces_preloaded_setup_f32
  */
 int rr_3ups_forces_preloaded_step_f32(
     const rr_3ups_forces_preloaded_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -1803,29 +2052,30 @@ int rr_3ups_forces_preloaded_step_f32(
     float preload, float F_out[3]);
 
 /**
- * @brief Forces of the drives of legs 1 and 2 where leg 3 is absent with its masses: its
- *     parameters must be legal, 0 serves, and are not felt.
+ * @brief Forces of the drives of legs 1 and 2 where leg 3 is absent with its masses. Its
+ *     parameters must be legal, 0 serves, and no result depends on them; a call still works
+ *     through three legs in its loop, and leaves the third aside.
  *
  * Cost: 670 flops (418 mul, 239 add, 7 div, 6 sqrt), 22 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] F_out forces of the drives of legs 1 and 2 where leg 3 is absent; extending
  *     positive, N (rr_3ups-F_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -1835,6 +2085,8 @@ int rr_3ups_forces_preloaded_step_f32(
  *     of the joint gives it every motion
  *   SINGULAR: two drives do not hold the platform, |det_2| is at most 1e-5 (r_1^2 + r_2^2):
  *     forces are given as 0, so hold the axes
+ * @see rr_3ups_forces_two_legs_setup_f32
+ * @see rr_3ups_forces_two_legs_step_f32
  */
 int rr_3ups_forces_two_legs_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -1842,10 +2094,16 @@ int rr_3ups_forces_two_legs_f32(
 
 /**
  * @brief What forces_two_legs_setup hands to forces_two_legs_step: 62 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of forces_two_legs_setup and a mark from its end, if it did not
+ *     refuse. Without the mark forces_two_legs_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   float a_m_y[3];
   float b_x[3];
   float b_y[3];
@@ -1880,38 +2138,42 @@ typedef struct {
  * @brief Set-up of forces_two_legs: all of it that changes with the mount only.
  *
  * Cost: 45 flops (20 mul, 25 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what forces_two_legs_step reads; untouched where the status is negative
+ * @param[out] ctx what forces_two_legs_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_forces_two_legs_f32
+ * @see rr_3ups_forces_two_legs_step_f32
  */
 int rr_3ups_forces_two_legs_setup_f32(
     const rr_3ups_params_f32 *p, rr_3ups_forces_two_legs_ctx_f32 *ctx);
 
 /**
  * @brief Step of forces_two_legs. Forces of the drives of legs 1 and 2 where leg 3 is absent
- *     with its masses: its parameters must be legal, 0 serves, and are not felt.
+ *     with its masses. Its parameters must be legal, 0 serves, and no result depends on them; a
+ *     call still works through three legs in its loop, and leaves the third aside.
  *
  * Cost: 622 flops (395 mul, 214 add, 7 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what forces_two_legs_setup left, its status not negative
+ * @param[in] ctx what forces_two_legs_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] F_out forces of the drives of legs 1 and 2 where leg 3 is absent; extending
  *     positive, N (rr_3ups-F_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -1921,6 +2183,9 @@ int rr_3ups_forces_two_legs_setup_f32(
  *     of the joint gives it every motion
  *   SINGULAR: two drives do not hold the platform, |det_2| is at most 1e-5 (r_1^2 + r_2^2):
  *     forces are given as 0, so hold the axes
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_forces_two_legs_f32
+ * @see rr_3ups_forces_two_legs_setup_f32
  */
 int rr_3ups_forces_two_legs_step_f32(
     const rr_3ups_forces_two_legs_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -1934,9 +2199,9 @@ int rr_3ups_forces_two_legs_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] N forces of norm 1 that do no work along any motion, 0 where drives do not hold
  *     (rr_3ups-internal)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -1944,15 +2209,23 @@ int rr_3ups_forces_two_legs_step_f32(
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ * @see rr_3ups_internal_forces_setup_f32
+ * @see rr_3ups_internal_forces_step_f32
  */
 int rr_3ups_internal_forces_f32(const rr_3ups_params_f32 *p, float alpha, float beta, float N[3]);
 
 /**
  * @brief What internal_forces_setup hands to internal_forces_step: 16 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of internal_forces_setup and a mark from its end, if it did not
+ *     refuse. Without the mark internal_forces_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x[3];
   float b_y[3];
   float a_m_y[3];
@@ -1965,11 +2238,14 @@ typedef struct {
  * @brief Set-up of internal_forces: all of it that changes with the mount only.
  *
  * Cost: 23 flops (17 mul, 6 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what internal_forces_step reads; untouched where the status is negative
+ * @param[out] ctx what internal_forces_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_internal_forces_f32
+ * @see rr_3ups_internal_forces_step_f32
  */
 int rr_3ups_internal_forces_setup_f32(
     const rr_3ups_params_f32 *p, rr_3ups_internal_forces_ctx_f32 *ctx);
@@ -1978,11 +2254,11 @@ int rr_3ups_internal_forces_setup_f32(
  * @brief Step of internal_forces. Forces of norm 1 that do no work along any motion.
  *
  * Cost: 97 flops (57 mul, 32 add, 4 div, 4 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what internal_forces_setup left, its status not negative
+ * @param[in] ctx what internal_forces_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] N forces of norm 1 that do no work along any motion, 0 where drives do not hold
  *     (rr_3ups-internal)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -1990,6 +2266,9 @@ int rr_3ups_internal_forces_setup_f32(
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_internal_forces_f32
+ * @see rr_3ups_internal_forces_setup_f32
  */
 int rr_3ups_internal_forces_step_f32(
     const rr_3ups_internal_forces_ctx_f32 *ctx, float alpha, float beta, float N[3]);
@@ -2001,22 +2280,22 @@ int rr_3ups_internal_forces_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] P mechanical power of the three drives, W (rr_3ups-P_q)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
@@ -2025,6 +2304,8 @@ int rr_3ups_internal_forces_step_f32(
  *     of the joint gives it every motion
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ * @see rr_3ups_power_setup_f32
+ * @see rr_3ups_power_step_f32
  */
 int rr_3ups_power_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -2032,10 +2313,15 @@ int rr_3ups_power_f32(
 
 /**
  * @brief What power_setup hands to power_step: 62 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of power_setup and a mark from its end, if it did not refuse.
+ *     Without the mark power_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   float b_x[3];
   float b_y[3];
   float a_m_y[3];
@@ -2070,11 +2356,14 @@ typedef struct {
  * @brief Set-up of power: all of it that changes with the mount only.
  *
  * Cost: 48 flops (21 mul, 27 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what power_step reads; untouched where the status is negative
+ * @param[out] ctx what power_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_power_f32
+ * @see rr_3ups_power_step_f32
  */
 int rr_3ups_power_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_power_ctx_f32 *ctx);
 
@@ -2082,24 +2371,24 @@ int rr_3ups_power_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_power_ctx_f32 *
  * @brief Step of power. Mechanical power of the three drives at forces of least norm.
  *
  * Cost: 652 flops (413 mul, 226 add, 7 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what power_setup left, its status not negative
+ * @param[in] ctx what power_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] P mechanical power of the three drives, W (rr_3ups-P_q)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
@@ -2108,34 +2397,39 @@ int rr_3ups_power_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_power_ctx_f32 *
  *     of the joint gives it every motion
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_power_f32
+ * @see rr_3ups_power_setup_f32
  */
 int rr_3ups_power_step_f32(
     const rr_3ups_power_ctx_f32 *ctx, float alpha, float beta, float alpha_dot, float beta_dot,
     float alpha_ddot, float beta_ddot, const float f_d[3], const float n_d[3], float P[3]);
 
 /**
- * @brief Mechanical power of the drives of legs 1 and 2 where leg 3 is absent.
+ * @brief Mechanical power of the drives of legs 1 and 2 where leg 3 is absent with its masses.
+ *     Its parameters must be legal, 0 serves, and no result depends on them; a call still works
+ *     through three legs in its loop, and leaves the third aside.
  *
  * Cost: 672 flops (420 mul, 239 add, 7 div, 6 sqrt), 22 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] P mechanical power of the two drives where leg 3 is absent, W (rr_3ups-P_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
@@ -2144,6 +2438,8 @@ int rr_3ups_power_step_f32(
  *     of the joint gives it every motion
  *   SINGULAR: two drives do not hold the platform, |det_2| is at most 1e-5 (r_1^2 + r_2^2):
  *     forces are given as 0, so hold the axes
+ * @see rr_3ups_power_two_legs_setup_f32
+ * @see rr_3ups_power_two_legs_step_f32
  */
 int rr_3ups_power_two_legs_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -2151,10 +2447,16 @@ int rr_3ups_power_two_legs_f32(
 
 /**
  * @brief What power_two_legs_setup hands to power_two_legs_step: 62 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of power_two_legs_setup and a mark from its end, if it did not
+ *     refuse. Without the mark power_two_legs_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   float a_m_y[3];
   float b_x[3];
   float b_y[3];
@@ -2189,38 +2491,42 @@ typedef struct {
  * @brief Set-up of power_two_legs: all of it that changes with the mount only.
  *
  * Cost: 45 flops (20 mul, 25 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what power_two_legs_step reads; untouched where the status is negative
+ * @param[out] ctx what power_two_legs_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_power_two_legs_f32
+ * @see rr_3ups_power_two_legs_step_f32
  */
 int rr_3ups_power_two_legs_setup_f32(
     const rr_3ups_params_f32 *p, rr_3ups_power_two_legs_ctx_f32 *ctx);
 
 /**
  * @brief Step of power_two_legs. Mechanical power of the drives of legs 1 and 2 where leg 3 is
- *     absent.
+ *     absent with its masses. Its parameters must be legal, 0 serves, and no result depends on
+ *     them; a call still works through three legs in its loop, and leaves the third aside.
  *
  * Cost: 624 flops (397 mul, 214 add, 7 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what power_two_legs_setup left, its status not negative
+ * @param[in] ctx what power_two_legs_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] P mechanical power of the two drives where leg 3 is absent, W (rr_3ups-P_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
@@ -2229,6 +2535,9 @@ int rr_3ups_power_two_legs_setup_f32(
  *     of the joint gives it every motion
  *   SINGULAR: two drives do not hold the platform, |det_2| is at most 1e-5 (r_1^2 + r_2^2):
  *     forces are given as 0, so hold the axes
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_power_two_legs_f32
+ * @see rr_3ups_power_two_legs_setup_f32
  */
 int rr_3ups_power_two_legs_step_f32(
     const rr_3ups_power_two_legs_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -2242,15 +2551,17 @@ int rr_3ups_power_two_legs_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; none of them is read
  * @param[in] F_leg force of drive i, extending positive, for each leg, N, refused outside
- *     [-1e+06, 1e+06], working range [-500, 500]
+ *     [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] K_M torque constant of a motor, N*m/A, refused outside [0.0001, 1e+06], working
- *     range [0.01, 1]
+ *     range [0.01, 1]; held by the mount
  * @param[in] R_w resistance of a motor's winding, ohm, refused outside [0, 1e+06], working range
- *     [0, 10]
+ *     [0, 10]; held by the mount
  * @param[in] lead travel of a screw per turn, m, refused outside [0, 10], working range [0.001,
- *     0.02]
+ *     0.02]; held by the mount
  * @param[out] P heat of motor i, for each leg, W (rr_3ups-P_copper)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_copper_power_setup_f32
+ * @see rr_3ups_copper_power_step_f32
  */
 int rr_3ups_copper_power_f32(
     const rr_3ups_params_f32 *p, const float F_leg[3], float K_M, float R_w, float lead,
@@ -2258,9 +2569,15 @@ int rr_3ups_copper_power_f32(
 
 /**
  * @brief What copper_power_setup hands to copper_power_step: 2 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of copper_power_setup and a mark from its end, if it did not
+ *     refuse. Without the mark copper_power_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float m1;
   float R_w;
 } rr_3ups_copper_power_ctx_f32;
@@ -2269,16 +2586,20 @@ typedef struct {
  * @brief Set-up of copper_power: all of it that changes with the mount only.
  *
  * Cost: 3 flops (2 mul, 0 add, 1 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; none of them is read
  * @param[in] K_M torque constant of a motor, N*m/A, refused outside [0.0001, 1e+06], working
- *     range [0.01, 1]
+ *     range [0.01, 1]; held by the mount
  * @param[in] R_w resistance of a motor's winding, ohm, refused outside [0, 1e+06], working range
- *     [0, 10]
+ *     [0, 10]; held by the mount
  * @param[in] lead travel of a screw per turn, m, refused outside [0, 10], working range [0.001,
- *     0.02]
- * @param[out] ctx what copper_power_step reads; untouched where the status is negative
+ *     0.02]; held by the mount
+ * @param[out] ctx what copper_power_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_copper_power_f32
+ * @see rr_3ups_copper_power_step_f32
  */
 int rr_3ups_copper_power_setup_f32(
     const rr_3ups_params_f32 *p, float K_M, float R_w, float lead,
@@ -2289,11 +2610,14 @@ int rr_3ups_copper_power_setup_f32(
  *
  * Cost: 9 flops (9 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
- * @param[in] ctx what copper_power_setup left, its status not negative
+ * @param[in] ctx what copper_power_setup left; refused if it is not ready
  * @param[in] F_leg force of drive i, extending positive, for each leg, N, refused outside
- *     [-1e+06, 1e+06], working range [-500, 500]
+ *     [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[out] P heat of motor i, for each leg, W (rr_3ups-P_copper)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_copper_power_f32
+ * @see rr_3ups_copper_power_setup_f32
  */
 int rr_3ups_copper_power_step_f32(
     const rr_3ups_copper_power_ctx_f32 *ctx, const float F_leg[3], float P[3]);
@@ -2305,19 +2629,21 @@ int rr_3ups_copper_power_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[out] T kinetic energy of platform and legs, N*m (rr_3ups-T)
  * @param[out] V potential energy of platform and legs, zero on the ground, N*m (rr_3ups-V)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ * @see rr_3ups_energy_setup_f32
+ * @see rr_3ups_energy_step_f32
  */
 int rr_3ups_energy_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -2325,10 +2651,15 @@ int rr_3ups_energy_f32(
 
 /**
  * @brief What energy_setup hands to energy_step: 53 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of energy_setup and a mark from its end, if it did not refuse.
+ *     Without the mark energy_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   float a_m_y[3];
   float b_x[3];
   float b_y[3];
@@ -2358,11 +2689,14 @@ typedef struct {
  * @brief Set-up of energy: all of it that changes with the mount only.
  *
  * Cost: 25 flops (13 mul, 12 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what energy_step reads; untouched where the status is negative
+ * @param[out] ctx what energy_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_energy_f32
+ * @see rr_3ups_energy_step_f32
  */
 int rr_3ups_energy_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_energy_ctx_f32 *ctx);
 
@@ -2370,21 +2704,24 @@ int rr_3ups_energy_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_energy_ctx_f32
  * @brief Step of energy. Kinetic and potential energy of platform and legs.
  *
  * Cost: 394 flops (253 mul, 129 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what energy_setup left, its status not negative
+ * @param[in] ctx what energy_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[out] T kinetic energy of platform and legs, N*m (rr_3ups-T)
  * @param[out] V potential energy of platform and legs, zero on the ground, N*m (rr_3ups-V)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_energy_f32
+ * @see rr_3ups_energy_setup_f32
  */
 int rr_3ups_energy_step_f32(
     const rr_3ups_energy_ctx_f32 *ctx, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -2397,24 +2734,32 @@ int rr_3ups_energy_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] H mass matrix of alpha and beta, legs included, 2 by 2, row-major, m^2*kg
  *     (rr_3ups-mass_matrix)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ * @see rr_3ups_mass_matrix_setup_f32
+ * @see rr_3ups_mass_matrix_step_f32
  */
 int rr_3ups_mass_matrix_f32(const rr_3ups_params_f32 *p, float alpha, float beta, float H[4]);
 
 /**
  * @brief What mass_matrix_setup hands to mass_matrix_step: 39 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of mass_matrix_setup and a mark from its end, if it did not
+ *     refuse. Without the mark mass_matrix_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   float a_m_y[3];
   float b_x[3];
   float b_y[3];
@@ -2436,11 +2781,14 @@ typedef struct {
  * @brief Set-up of mass_matrix: all of it that changes with the mount only.
  *
  * Cost: 36 flops (18 mul, 18 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: m_m, r_sc, g
- * @param[out] ctx what mass_matrix_step reads; untouched where the status is negative
+ * @param[out] ctx what mass_matrix_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_mass_matrix_f32
+ * @see rr_3ups_mass_matrix_step_f32
  */
 int rr_3ups_mass_matrix_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_mass_matrix_ctx_f32 *ctx);
 
@@ -2448,17 +2796,20 @@ int rr_3ups_mass_matrix_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_mass_matr
  * @brief Step of mass_matrix. Mass matrix of alpha and beta, legs included.
  *
  * Cost: 439 flops (289 mul, 138 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what mass_matrix_setup left, its status not negative
+ * @param[in] ctx what mass_matrix_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] H mass matrix of alpha and beta, legs included, 2 by 2, row-major, m^2*kg
  *     (rr_3ups-mass_matrix)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_mass_matrix_f32
+ * @see rr_3ups_mass_matrix_setup_f32
  */
 int rr_3ups_mass_matrix_step_f32(
     const rr_3ups_mass_matrix_ctx_f32 *ctx, float alpha, float beta, float H[4]);
@@ -2470,23 +2821,25 @@ int rr_3ups_mass_matrix_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] tau_0 generalised force at no acceleration, N*m (rr_3ups-bias)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ * @see rr_3ups_bias_setup_f32
+ * @see rr_3ups_bias_step_f32
  */
 int rr_3ups_bias_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -2494,10 +2847,15 @@ int rr_3ups_bias_f32(
 
 /**
  * @brief What bias_setup hands to bias_step: 60 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of bias_setup and a mark from its end, if it did not refuse.
+ *     Without the mark bias_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   float a_m_y[3];
   float b_x[3];
   float b_y[3];
@@ -2530,11 +2888,14 @@ typedef struct {
  * @brief Set-up of bias: all of it that changes with the mount only.
  *
  * Cost: 40 flops (16 mul, 24 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what bias_step reads; untouched where the status is negative
+ * @param[out] ctx what bias_step reads; not ready where the status is negative, whatever it held
+ *     before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_bias_f32
+ * @see rr_3ups_bias_step_f32
  */
 int rr_3ups_bias_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_bias_ctx_f32 *ctx);
 
@@ -2542,25 +2903,28 @@ int rr_3ups_bias_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_bias_ctx_f32 *ct
  * @brief Step of bias. Generalised force at no acceleration.
  *
  * Cost: 583 flops (371 mul, 200 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what bias_setup left, its status not negative
+ * @param[in] ctx what bias_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] tau_0 generalised force at no acceleration, N*m (rr_3ups-bias)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_bias_f32
+ * @see rr_3ups_bias_setup_f32
  */
 int rr_3ups_bias_step_f32(
     const rr_3ups_bias_ctx_f32 *ctx, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -2573,20 +2937,20 @@ int rr_3ups_bias_step_f32(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] F_leg force of drive i, extending positive, for each leg, N, refused outside
- *     [-1e+06, 1e+06], working range [-500, 500]
+ *     [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] alpha_ddot acceleration of alpha under the forces given, 1/s^2
  *     (rr_3ups-alpha_ddot_found)
  * @param[out] beta_ddot acceleration of beta under the forces given, 1/s^2
@@ -2597,6 +2961,8 @@ int rr_3ups_bias_step_f32(
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
  *   SINGULAR: some motion moves no mass: accelerations are given as 0
+ * @see rr_3ups_forward_dynamics_setup_f32
+ * @see rr_3ups_forward_dynamics_step_f32
  */
 int rr_3ups_forward_dynamics_f32(
     const rr_3ups_params_f32 *p, float alpha, float beta, float alpha_dot, float beta_dot,
@@ -2605,10 +2971,16 @@ int rr_3ups_forward_dynamics_f32(
 
 /**
  * @brief What forward_dynamics_setup hands to forward_dynamics_step: 67 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of forward_dynamics_setup and a mark from its end, if it did not
+ *     refuse. Without the mark forward_dynamics_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   float a_m_y[3];
   float b_x[3];
   float b_y[3];
@@ -2644,11 +3016,14 @@ typedef struct {
  * @brief Set-up of forward_dynamics: all of it that changes with the mount only.
  *
  * Cost: 49 flops (19 mul, 30 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what forward_dynamics_step reads; untouched where the status is negative
+ * @param[out] ctx what forward_dynamics_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_forward_dynamics_f32
+ * @see rr_3ups_forward_dynamics_step_f32
  */
 int rr_3ups_forward_dynamics_setup_f32(
     const rr_3ups_params_f32 *p, rr_3ups_forward_dynamics_ctx_f32 *ctx);
@@ -2659,22 +3034,22 @@ int rr_3ups_forward_dynamics_setup_f32(
  *
  * Cost: 814 flops (523 mul, 277 add, 8 div, 6 sqrt), 4 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
- * @param[in] ctx what forward_dynamics_setup left, its status not negative
+ * @param[in] ctx what forward_dynamics_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] F_leg force of drive i, extending positive, for each leg, N, refused outside
- *     [-1e+06, 1e+06], working range [-500, 500]
+ *     [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] alpha_ddot acceleration of alpha under the forces given, 1/s^2
  *     (rr_3ups-alpha_ddot_found)
  * @param[out] beta_ddot acceleration of beta under the forces given, 1/s^2
@@ -2685,6 +3060,9 @@ int rr_3ups_forward_dynamics_setup_f32(
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
  *   SINGULAR: some motion moves no mass: accelerations are given as 0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_forward_dynamics_f32
+ * @see rr_3ups_forward_dynamics_setup_f32
  */
 int rr_3ups_forward_dynamics_step_f32(
     const rr_3ups_forward_dynamics_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
@@ -2693,7 +3071,7 @@ int rr_3ups_forward_dynamics_step_f32(
 
 #if DBL_MANT_DIG >= 53
 
-/** Parameters of the rr 3ups system. */
+/** Parameters of the rr 3ups system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** Distance of spherical joint i from o, for each leg, m, refused outside [0, 1000], working
       range [0.2, 0.5]. */
@@ -2752,7 +3130,7 @@ typedef struct {
  * Cost: 4 flops (2 mul, 1 add, 0 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[out] alpha turn of the platform that faces the sun with beta >= 0, in [-pi, pi], rad
  *     (rr_3ups-alpha_aim)
  * @param[out] beta tilt of the platform that faces the sun, in [0, pi], rad (rr_3ups-beta_aim)
@@ -2772,11 +3150,11 @@ int rr_3ups_aim_f64(const rr_3ups_params_f64 *p, const double enu[3], double *al
  * Cost: 22 flops (12 mul, 9 add, 0 div, 1 sqrt), 4 sin/cos, 2 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[in] alpha_before turn of the platform before the move, rad, refused outside [-1000,
- *     1000], working range [-3.2, 3.2]
+ *     1000], working range [-3.2, 3.2]; each tick
  * @param[in] beta_before tilt of the platform before the move, rad, refused outside [-1000,
- *     1000], working range [-1.5, 1.5]
+ *     1000], working range [-1.6, 1.6]; each tick
  * @param[out] alpha turn of the nearest attitude that faces the sun, rad (rr_3ups-alpha_nearest)
  * @param[out] beta tilt of the nearest attitude that faces the sun, rad (rr_3ups-beta_nearest)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -2795,11 +3173,11 @@ int rr_3ups_aim_nearest_f64(
  * Cost: 45 flops (30 mul, 12 add, 2 div, 1 sqrt), 0 sin/cos, 2 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[in] enu_dot rate of the unit vector to the sun, 1/s, refused outside [-1e+06, 1e+06],
- *     working range [-1, 1]
+ *     working range [-1, 1]; each tick
  * @param[in] enu_ddot rate of enu_dot, 1/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[out] alpha turn of the platform that faces the sun with beta >= 0, in [-pi, pi], rad
  *     (rr_3ups-alpha_aim)
  * @param[out] beta tilt of the platform that faces the sun, in [0, pi], rad (rr_3ups-beta_aim)
@@ -2825,13 +3203,13 @@ int rr_3ups_aim_rates_f64(
  * Cost: 51 flops (36 mul, 13 add, 1 div, 1 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] hour_angle_rate rate of the hour angle, rad/s, refused outside [-1e+06, 1e+06],
- *     working range [-1, 1]
+ *     working range [-1, 1]; each tick
  * @param[out] alpha turn of the platform that faces the sun with beta >= 0, in [-pi, pi], rad
  *     (rr_3ups-alpha_track)
  * @param[out] beta tilt of the platform that faces the sun, in [0, pi], rad (rr_3ups-beta_track)
@@ -2846,6 +3224,8 @@ int rr_3ups_aim_rates_f64(
  *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: alpha is free, and every rate
  *     is given as 0
  *   BELOW_HORIZON: the sun is below the horizon: the attitude still faces it
+ * @see rr_3ups_track_setup_f64
+ * @see rr_3ups_track_step_f64
  */
 int rr_3ups_track_f64(
     const rr_3ups_params_f64 *p, double latitude, double declination, double hour_angle,
@@ -2854,10 +3234,15 @@ int rr_3ups_track_f64(
 
 /**
  * @brief What track_setup hands to track_step: 2 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of track_setup and a mark from its end, if it did not refuse.
+ *     Without the mark track_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds sun-pole.
  */
 typedef struct {
+  volatile unsigned long ready;
   double pole_y;
   double pole_z;
 } rr_3ups_track_ctx_f64;
@@ -2866,12 +3251,16 @@ typedef struct {
  * @brief Set-up of track: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; none of them is read
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
- * @param[out] ctx what track_step reads; untouched where the status is negative
+ *     working range [-1.5708, 1.5708]; held by the mount
+ * @param[out] ctx what track_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_track_f64
+ * @see rr_3ups_track_step_f64
  */
 int rr_3ups_track_setup_f64(
     const rr_3ups_params_f64 *p, double latitude, rr_3ups_track_ctx_f64 *ctx);
@@ -2881,13 +3270,13 @@ int rr_3ups_track_setup_f64(
  *     day are `day_limits` of the sun.
  *
  * Cost: 51 flops (36 mul, 13 add, 1 div, 1 sqrt), 4 sin/cos, 2 atan2.
- * @param[in] ctx what track_setup left, its status not negative
+ * @param[in] ctx what track_setup left; refused if it is not ready
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] hour_angle_rate rate of the hour angle, rad/s, refused outside [-1e+06, 1e+06],
- *     working range [-1, 1]
+ *     working range [-1, 1]; each tick
  * @param[out] alpha turn of the platform that faces the sun with beta >= 0, in [-pi, pi], rad
  *     (rr_3ups-alpha_track)
  * @param[out] beta tilt of the platform that faces the sun, in [0, pi], rad (rr_3ups-beta_track)
@@ -2902,6 +3291,9 @@ int rr_3ups_track_setup_f64(
  *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: alpha is free, and every rate
  *     is given as 0
  *   BELOW_HORIZON: the sun is below the horizon: the attitude still faces it
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_track_f64
+ * @see rr_3ups_track_setup_f64
  */
 int rr_3ups_track_step_f64(
     const rr_3ups_track_ctx_f64 *ctx, double declination, double hour_angle,
@@ -2918,9 +3310,9 @@ int rr_3ups_track_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] q length of leg i, for each leg, m, refused outside [0, 1000], working range [0.2,
- *     1.5]
+ *     1.5]; each tick
  * @param[in] guess start of the search, alpha and then beta,, for each way, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.5, 1.5]; each tick
  * @param[out] alpha turn of the platform at the lengths given, rad (rr_3ups-alpha_q)
  * @param[out] beta tilt of the platform at the lengths given, rad (rr_3ups-beta_q)
  * @param[out] residual what is left: root of the sum of the squared errors of the lengths, m
@@ -2929,6 +3321,8 @@ int rr_3ups_track_step_f64(
  *     ARMILLARY_OUT_OF_RANGE
  *   SINGULAR: some motion changes no length: the guess is given back
  *   NOT_CONVERGED: one more step would move an angle by more than 1e-4 rad
+ * @see rr_3ups_forward_setup_f64
+ * @see rr_3ups_forward_step_f64
  */
 int rr_3ups_forward_f64(
     const rr_3ups_params_f64 *p, const double q[3], const double guess[2], double *alpha,
@@ -2936,10 +3330,15 @@ int rr_3ups_forward_f64(
 
 /**
  * @brief What forward_setup hands to forward_step: 22 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of forward_setup and a mark from its end, if it did not refuse.
+ *     Without the mark forward_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-b_c, rr_3ups-a_c, rr_3ups-apart.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x[3];
   double b_y[3];
   double a_m_y[3];
@@ -2954,11 +3353,14 @@ typedef struct {
  * @brief Set-up of forward: all of it that changes with the mount only.
  *
  * Cost: 48 flops (30 mul, 18 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what forward_step reads; untouched where the status is negative
+ * @param[out] ctx what forward_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_forward_f64
+ * @see rr_3ups_forward_step_f64
  */
 int rr_3ups_forward_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_forward_ctx_f64 *ctx);
 
@@ -2971,11 +3373,11 @@ int rr_3ups_forward_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_forward_ctx_f
  *
  * Cost: 1042 flops (616 mul, 411 add, 8 div, 7 sqrt), 48 sin/cos, 4 atan2.
  * Inputs are read while results are written: they must not overlap.
- * @param[in] ctx what forward_setup left, its status not negative
+ * @param[in] ctx what forward_setup left; refused if it is not ready
  * @param[in] q length of leg i, for each leg, m, refused outside [0, 1000], working range [0.2,
- *     1.5]
+ *     1.5]; each tick
  * @param[in] guess start of the search, alpha and then beta,, for each way, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.5, 1.5]; each tick
  * @param[out] alpha turn of the platform at the lengths given, rad (rr_3ups-alpha_q)
  * @param[out] beta tilt of the platform at the lengths given, rad (rr_3ups-beta_q)
  * @param[out] residual what is left: root of the sum of the squared errors of the lengths, m
@@ -2984,6 +3386,9 @@ int rr_3ups_forward_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_forward_ctx_f
  *     ARMILLARY_OUT_OF_RANGE
  *   SINGULAR: some motion changes no length: the guess is given back
  *   NOT_CONVERGED: one more step would move an angle by more than 1e-4 rad
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_forward_f64
+ * @see rr_3ups_forward_setup_f64
  */
 int rr_3ups_forward_step_f64(
     const rr_3ups_forward_ctx_f64 *ctx, const double q[3], const double guess[2], double *alpha,
@@ -2995,9 +3400,9 @@ int rr_3ups_forward_step_f64(
  * Cost: 4 flops (4 mul, 0 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] p parameters; none of them is read
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] R_m rotation of the platform: its axes in the world's, 3 by 3, row-major
  *     (rr_3ups-R_m)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -3012,20 +3417,27 @@ int rr_3ups_platform_f64(const rr_3ups_params_f64 *p, double alpha, double beta,
  * @param[in] p parameters; not read: R, theta, h, zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m,
  *     r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] P position of spherical joint i, world axes, for each leg, 3 by 3, row-major, m
  *     (rr_3ups-P)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_joints_setup_f64
+ * @see rr_3ups_joints_step_f64
  */
 int rr_3ups_joints_f64(const rr_3ups_params_f64 *p, double alpha, double beta, double P[9]);
 
 /**
  * @brief What joints_setup hands to joints_step: 7 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of joints_setup and a mark from its end, if it did not refuse.
+ *     Without the mark joints_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double m1[3];
   double m2[3];
   double h_0;
@@ -3035,12 +3447,15 @@ typedef struct {
  * @brief Set-up of joints: all of it that changes with the mount only.
  *
  * Cost: 6 flops (6 mul, 0 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: R, theta, h, zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m,
  *     r_sc, g
- * @param[out] ctx what joints_step reads; untouched where the status is negative
+ * @param[out] ctx what joints_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_joints_f64
+ * @see rr_3ups_joints_step_f64
  */
 int rr_3ups_joints_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_joints_ctx_f64 *ctx);
 
@@ -3048,14 +3463,17 @@ int rr_3ups_joints_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_joints_ctx_f64
  * @brief Step of joints. Positions of the three spherical joints, world axes.
  *
  * Cost: 26 flops (17 mul, 9 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what joints_setup left, its status not negative
+ * @param[in] ctx what joints_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] P position of spherical joint i, world axes, for each leg, 3 by 3, row-major, m
  *     (rr_3ups-P)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_joints_f64
+ * @see rr_3ups_joints_setup_f64
  */
 int rr_3ups_joints_step_f64(
     const rr_3ups_joints_ctx_f64 *ctx, double alpha, double beta, double P[9]);
@@ -3067,20 +3485,28 @@ int rr_3ups_joints_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] q length of leg i, for each leg, m (rr_3ups-q_leg)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_leg_lengths_setup_f64
+ * @see rr_3ups_leg_lengths_step_f64
  */
 int rr_3ups_leg_lengths_f64(const rr_3ups_params_f64 *p, double alpha, double beta, double q[3]);
 
 /**
  * @brief What leg_lengths_setup hands to leg_lengths_step: 15 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of leg_lengths_setup and a mark from its end, if it did not
+ *     refuse. Without the mark leg_lengths_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c.
  */
 typedef struct {
+  volatile unsigned long ready;
   double a_m_y[3];
   double b_x[3];
   double b_y[3];
@@ -3092,11 +3518,14 @@ typedef struct {
  * @brief Set-up of leg_lengths: all of it that changes with the mount only.
  *
  * Cost: 15 flops (12 mul, 3 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what leg_lengths_step reads; untouched where the status is negative
+ * @param[out] ctx what leg_lengths_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_leg_lengths_f64
+ * @see rr_3ups_leg_lengths_step_f64
  */
 int rr_3ups_leg_lengths_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_leg_lengths_ctx_f64 *ctx);
 
@@ -3104,13 +3533,16 @@ int rr_3ups_leg_lengths_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_leg_lengt
  * @brief Step of leg_lengths. Lengths of the three legs.
  *
  * Cost: 51 flops (27 mul, 21 add, 0 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what leg_lengths_setup left, its status not negative
+ * @param[in] ctx what leg_lengths_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] q length of leg i, for each leg, m (rr_3ups-q_leg)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_leg_lengths_f64
+ * @see rr_3ups_leg_lengths_setup_f64
  */
 int rr_3ups_leg_lengths_step_f64(
     const rr_3ups_leg_lengths_ctx_f64 *ctx, double alpha, double beta, double q[3]);
@@ -3122,16 +3554,18 @@ int rr_3ups_leg_lengths_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[out] q_dot rate of length i, for each leg, m/s (rr_3ups-q_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ * @see rr_3ups_leg_rates_setup_f64
+ * @see rr_3ups_leg_rates_step_f64
  */
 int rr_3ups_leg_rates_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -3139,10 +3573,15 @@ int rr_3ups_leg_rates_f64(
 
 /**
  * @brief What leg_rates_setup hands to leg_rates_step: 15 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of leg_rates_setup and a mark from its end, if it did not
+ *     refuse. Without the mark leg_rates_step answers ARMILLARY_OUT_OF_RANGE and writes nothing:
+ *     a machine does not go on with a mount that was never told, or that was told wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x[3];
   double b_y[3];
   double a_m_y[3];
@@ -3154,11 +3593,14 @@ typedef struct {
  * @brief Set-up of leg_rates: all of it that changes with the mount only.
  *
  * Cost: 15 flops (12 mul, 3 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what leg_rates_step reads; untouched where the status is negative
+ * @param[out] ctx what leg_rates_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_leg_rates_f64
+ * @see rr_3ups_leg_rates_step_f64
  */
 int rr_3ups_leg_rates_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_leg_rates_ctx_f64 *ctx);
 
@@ -3166,18 +3608,21 @@ int rr_3ups_leg_rates_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_leg_rates_c
  * @brief Step of leg_rates. Rates of the three lengths.
  *
  * Cost: 87 flops (51 mul, 30 add, 3 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what leg_rates_setup left, its status not negative
+ * @param[in] ctx what leg_rates_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[out] q_dot rate of length i, for each leg, m/s (rr_3ups-q_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_leg_rates_f64
+ * @see rr_3ups_leg_rates_setup_f64
  */
 int rr_3ups_leg_rates_step_f64(
     const rr_3ups_leg_rates_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -3190,20 +3635,22 @@ int rr_3ups_leg_rates_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[out] q_ddot acceleration of length i, for each leg, m/s^2 (rr_3ups-q_ddot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ * @see rr_3ups_leg_accelerations_setup_f64
+ * @see rr_3ups_leg_accelerations_step_f64
  */
 int rr_3ups_leg_accelerations_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -3211,10 +3658,16 @@ int rr_3ups_leg_accelerations_f64(
 
 /**
  * @brief What leg_accelerations_setup hands to leg_accelerations_step: 15 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of leg_accelerations_setup and a mark from its end, if it did
+ *     not refuse. Without the mark leg_accelerations_step answers ARMILLARY_OUT_OF_RANGE and
+ *     writes nothing: a machine does not go on with a mount that was never told, or that was
+ *     told wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x[3];
   double b_y[3];
   double a_m_y[3];
@@ -3226,11 +3679,14 @@ typedef struct {
  * @brief Set-up of leg_accelerations: all of it that changes with the mount only.
  *
  * Cost: 15 flops (12 mul, 3 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what leg_accelerations_step reads; untouched where the status is negative
+ * @param[out] ctx what leg_accelerations_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_leg_accelerations_f64
+ * @see rr_3ups_leg_accelerations_step_f64
  */
 int rr_3ups_leg_accelerations_setup_f64(
     const rr_3ups_params_f64 *p, rr_3ups_leg_accelerations_ctx_f64 *ctx);
@@ -3239,22 +3695,25 @@ int rr_3ups_leg_accelerations_setup_f64(
  * @brief Step of leg_accelerations. Accelerations of the three lengths.
  *
  * Cost: 162 flops (99 mul, 57 add, 3 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what leg_accelerations_setup left, its status not negative
+ * @param[in] ctx what leg_accelerations_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[out] q_ddot acceleration of length i, for each leg, m/s^2 (rr_3ups-q_ddot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_leg_accelerations_f64
+ * @see rr_3ups_leg_accelerations_setup_f64
  */
 int rr_3ups_leg_accelerations_step_f64(
     const rr_3ups_leg_accelerations_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -3267,22 +3726,29 @@ int rr_3ups_leg_accelerations_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] J Jacobian from the rates of alpha and beta to those of the lengths, row i, for
  *     each leg, 3 by 2, row-major, m (rr_3ups-J)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ * @see rr_3ups_jacobian_setup_f64
+ * @see rr_3ups_jacobian_step_f64
  */
 int rr_3ups_jacobian_f64(const rr_3ups_params_f64 *p, double alpha, double beta, double J[6]);
 
 /**
  * @brief What jacobian_setup hands to jacobian_step: 15 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of jacobian_setup and a mark from its end, if it did not refuse.
+ *     Without the mark jacobian_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a
+ *     machine does not go on with a mount that was never told, or that was told wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x[3];
   double b_y[3];
   double a_m_y[3];
@@ -3294,11 +3760,14 @@ typedef struct {
  * @brief Set-up of jacobian: all of it that changes with the mount only.
  *
  * Cost: 15 flops (12 mul, 3 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what jacobian_step reads; untouched where the status is negative
+ * @param[out] ctx what jacobian_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_jacobian_f64
+ * @see rr_3ups_jacobian_step_f64
  */
 int rr_3ups_jacobian_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_jacobian_ctx_f64 *ctx);
 
@@ -3306,15 +3775,18 @@ int rr_3ups_jacobian_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_jacobian_ctx
  * @brief Step of jacobian. Jacobian from the rates of alpha and beta to those of the lengths.
  *
  * Cost: 78 flops (45 mul, 27 add, 3 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_setup left, its status not negative
+ * @param[in] ctx what jacobian_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] J Jacobian from the rates of alpha and beta to those of the lengths, row i, for
  *     each leg, 3 by 2, row-major, m (rr_3ups-J)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_jacobian_f64
+ * @see rr_3ups_jacobian_setup_f64
  */
 int rr_3ups_jacobian_step_f64(
     const rr_3ups_jacobian_ctx_f64 *ctx, double alpha, double beta, double J[6]);
@@ -3326,17 +3798,19 @@ int rr_3ups_jacobian_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[out] J_dot rate of row i of the Jacobian, for each leg, 3 by 2, row-major, m/s
  *     (rr_3ups-J_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ * @see rr_3ups_jacobian_rate_setup_f64
+ * @see rr_3ups_jacobian_rate_step_f64
  */
 int rr_3ups_jacobian_rate_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -3344,10 +3818,16 @@ int rr_3ups_jacobian_rate_f64(
 
 /**
  * @brief What jacobian_rate_setup hands to jacobian_rate_step: 15 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of jacobian_rate_setup and a mark from its end, if it did not
+ *     refuse. Without the mark jacobian_rate_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x[3];
   double b_y[3];
   double a_m_y[3];
@@ -3359,11 +3839,14 @@ typedef struct {
  * @brief Set-up of jacobian_rate: all of it that changes with the mount only.
  *
  * Cost: 15 flops (12 mul, 3 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what jacobian_rate_step reads; untouched where the status is negative
+ * @param[out] ctx what jacobian_rate_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_jacobian_rate_f64
+ * @see rr_3ups_jacobian_rate_step_f64
  */
 int rr_3ups_jacobian_rate_setup_f64(
     const rr_3ups_params_f64 *p, rr_3ups_jacobian_rate_ctx_f64 *ctx);
@@ -3372,19 +3855,22 @@ int rr_3ups_jacobian_rate_setup_f64(
  * @brief Step of jacobian_rate. Rate of that Jacobian.
  *
  * Cost: 141 flops (87 mul, 48 add, 3 div, 3 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what jacobian_rate_setup left, its status not negative
+ * @param[in] ctx what jacobian_rate_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[out] J_dot rate of row i of the Jacobian, for each leg, 3 by 2, row-major, m/s
  *     (rr_3ups-J_dot)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_jacobian_rate_f64
+ * @see rr_3ups_jacobian_rate_setup_f64
  */
 int rr_3ups_jacobian_rate_step_f64(
     const rr_3ups_jacobian_rate_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -3397,9 +3883,9 @@ int rr_3ups_jacobian_rate_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] gamma angle of leg i about the first axis of its universal joint, in [-pi, pi],
  *     for each leg, rad (rr_3ups-gamma)
  * @param[out] psi angle of leg i about the second axis of its universal joint, in [-pi/2, pi/2],
@@ -3408,16 +3894,24 @@ int rr_3ups_jacobian_rate_step_f64(
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ * @see rr_3ups_leg_angles_setup_f64
+ * @see rr_3ups_leg_angles_step_f64
  */
 int rr_3ups_leg_angles_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double gamma[3], double psi[3]);
 
 /**
  * @brief What leg_angles_setup hands to leg_angles_step: 25 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of leg_angles_setup and a mark from its end, if it did not
+ *     refuse. Without the mark leg_angles_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b, rr_3ups-first, rr_3ups-b_c.
  */
 typedef struct {
+  volatile unsigned long ready;
   double a_m_y[3];
   double a_m_x[3];
   double h_0;
@@ -3433,11 +3927,14 @@ typedef struct {
  * @brief Set-up of leg_angles: all of it that changes with the mount only.
  *
  * Cost: 15 flops (12 mul, 3 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what leg_angles_step reads; untouched where the status is negative
+ * @param[out] ctx what leg_angles_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_leg_angles_f64
+ * @see rr_3ups_leg_angles_step_f64
  */
 int rr_3ups_leg_angles_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_leg_angles_ctx_f64 *ctx);
 
@@ -3446,11 +3943,11 @@ int rr_3ups_leg_angles_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_leg_angles
  *     joints.
  *
  * Cost: 174 flops (99 mul, 63 add, 3 div, 9 sqrt), 4 sin/cos, 6 atan2.
- * @param[in] ctx what leg_angles_setup left, its status not negative
+ * @param[in] ctx what leg_angles_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] gamma angle of leg i about the first axis of its universal joint, in [-pi, pi],
  *     for each leg, rad (rr_3ups-gamma)
  * @param[out] psi angle of leg i about the second axis of its universal joint, in [-pi/2, pi/2],
@@ -3459,6 +3956,9 @@ int rr_3ups_leg_angles_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_leg_angles
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_leg_angles_f64
+ * @see rr_3ups_leg_angles_setup_f64
  */
 int rr_3ups_leg_angles_step_f64(
     const rr_3ups_leg_angles_ctx_f64 *ctx, double alpha, double beta, double gamma[3],
@@ -3468,21 +3968,21 @@ int rr_3ups_leg_angles_step_f64(
  * @brief Angular velocity and acceleration of the three legs, and velocities and accelerations
  *     of the centres of mass of their links, world axes.
  *
- * Cost: 815 flops (529 mul, 274 add, 6 div, 6 sqrt), 22 sin/cos, 0 atan2.
+ * Cost: 746 flops (484 mul, 250 add, 6 div, 6 sqrt), 22 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[out] omega angular velocity of leg i, world axes, for each leg, 3 by 3, row-major,
  *     rad/s (rr_3ups-omega_W)
  * @param[out] omega_dot angular acceleration of leg i, world axes, for each leg, 3 by 3,
@@ -3499,6 +3999,8 @@ int rr_3ups_leg_angles_step_f64(
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ * @see rr_3ups_leg_motion_setup_f64
+ * @see rr_3ups_leg_motion_step_f64
  */
 int rr_3ups_leg_motion_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -3507,10 +4009,16 @@ int rr_3ups_leg_motion_f64(
 
 /**
  * @brief What leg_motion_setup hands to leg_motion_step: 27 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of leg_motion_setup and a mark from its end, if it did not
+ *     refuse. Without the mark leg_motion_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first.
  */
 typedef struct {
+  volatile unsigned long ready;
   double a_m_y[3];
   double b_x[3];
   double b_y[3];
@@ -3526,11 +4034,14 @@ typedef struct {
  * @brief Set-up of leg_motion: all of it that changes with the mount only.
  *
  * Cost: 15 flops (12 mul, 3 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what leg_motion_step reads; untouched where the status is negative
+ * @param[out] ctx what leg_motion_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_leg_motion_f64
+ * @see rr_3ups_leg_motion_step_f64
  */
 int rr_3ups_leg_motion_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_leg_motion_ctx_f64 *ctx);
 
@@ -3538,20 +4049,20 @@ int rr_3ups_leg_motion_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_leg_motion
  * @brief Step of leg_motion. Angular velocity and acceleration of the three legs, and velocities
  *     and accelerations of the centres of mass of their links, world axes.
  *
- * Cost: 800 flops (517 mul, 271 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what leg_motion_setup left, its status not negative
+ * Cost: 731 flops (472 mul, 247 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what leg_motion_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[out] omega angular velocity of leg i, world axes, for each leg, 3 by 3, row-major,
  *     rad/s (rr_3ups-omega_W)
  * @param[out] omega_dot angular acceleration of leg i, world axes, for each leg, 3 by 3,
@@ -3568,6 +4079,9 @@ int rr_3ups_leg_motion_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_leg_motion
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_leg_motion_f64
+ * @see rr_3ups_leg_motion_setup_f64
  */
 int rr_3ups_leg_motion_step_f64(
     const rr_3ups_leg_motion_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -3575,23 +4089,24 @@ int rr_3ups_leg_motion_step_f64(
     double v_t[9], double a_t[9], double v_s[9], double a_s[9]);
 
 /**
- * @brief The same of legs that do not spin, as the paper takes them.
+ * @brief The same of legs that do not spin, as the paper takes them: also where a leg stands
+ *     along the first axis of its universal joint.
  *
- * Cost: 758 flops (502 mul, 244 add, 6 div, 6 sqrt), 22 sin/cos, 0 atan2.
+ * Cost: 476 flops (310 mul, 160 add, 3 div, 3 sqrt), 16 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
- * @param[in] p parameters; not read: m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
+ * @param[in] p parameters; not read: zeta, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[out] omega angular velocity of leg i if it does not spin, world axes, for each leg, 3
  *     by 3, row-major, rad/s (rr_3ups-omega_free_W)
  * @param[out] omega_dot angular acceleration of leg i if it does not spin, world axes, for each
@@ -3606,8 +4121,8 @@ int rr_3ups_leg_motion_step_f64(
  *     by 3, row-major, m/s^2 (rr_3ups-a_s)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
- *     of the joint gives it every motion
+ * @see rr_3ups_leg_motion_spin_free_setup_f64
+ * @see rr_3ups_leg_motion_spin_free_step_f64
  */
 int rr_3ups_leg_motion_spin_free_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -3615,18 +4130,22 @@ int rr_3ups_leg_motion_spin_free_f64(
     double a_t[9], double v_s[9], double a_s[9]);
 
 /**
- * @brief What leg_motion_spin_free_setup hands to leg_motion_spin_free_step: 27 numbers.
- * Its fields may change from version to version.
- * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first.
+ * @brief What leg_motion_spin_free_setup hands to leg_motion_spin_free_step: 21 numbers.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of leg_motion_spin_free_setup and a mark from its end, if it did
+ *     not refuse. Without the mark leg_motion_spin_free_step answers ARMILLARY_OUT_OF_RANGE and
+ *     writes nothing: a machine does not go on with a mount that was never told, or that was
+ *     told wrong.
+ * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c.
  */
 typedef struct {
+  volatile unsigned long ready;
   double a_m_y[3];
   double b_x[3];
   double b_y[3];
   double a_m_x[3];
   double b_c_z[3];
-  double sin_zeta[3];
-  double first_z[3];
   double t[3];
   double s[3];
 } rr_3ups_leg_motion_spin_free_ctx_f64;
@@ -3634,34 +4153,37 @@ typedef struct {
 /**
  * @brief Set-up of leg_motion_spin_free: all of it that changes with the mount only.
  *
- * Cost: 15 flops (12 mul, 3 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
- * @param[in] p parameters; not read: m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what leg_motion_spin_free_step reads; untouched where the status is negative
+ * Cost: 15 flops (12 mul, 3 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
+ * @param[in] p parameters; not read: zeta, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
+ * @param[out] ctx what leg_motion_spin_free_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_leg_motion_spin_free_f64
+ * @see rr_3ups_leg_motion_spin_free_step_f64
  */
 int rr_3ups_leg_motion_spin_free_setup_f64(
     const rr_3ups_params_f64 *p, rr_3ups_leg_motion_spin_free_ctx_f64 *ctx);
 
 /**
  * @brief Step of leg_motion_spin_free. The same of legs that do not spin, as the paper takes
- *     them.
+ *     them: also where a leg stands along the first axis of its universal joint.
  *
- * Cost: 743 flops (490 mul, 241 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what leg_motion_spin_free_setup left, its status not negative
+ * Cost: 461 flops (298 mul, 157 add, 3 div, 3 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] ctx what leg_motion_spin_free_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[out] omega angular velocity of leg i if it does not spin, world axes, for each leg, 3
  *     by 3, row-major, rad/s (rr_3ups-omega_free_W)
  * @param[out] omega_dot angular acceleration of leg i if it does not spin, world axes, for each
@@ -3676,8 +4198,9 @@ int rr_3ups_leg_motion_spin_free_setup_f64(
  *     by 3, row-major, m/s^2 (rr_3ups-a_s)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
- *     of the joint gives it every motion
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_leg_motion_spin_free_f64
+ * @see rr_3ups_leg_motion_spin_free_setup_f64
  */
 int rr_3ups_leg_motion_spin_free_step_f64(
     const rr_3ups_leg_motion_spin_free_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -3692,24 +4215,32 @@ int rr_3ups_leg_motion_spin_free_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] det_2 determinant of the Jacobian of legs 1 and 2, m^2 (rr_3ups-det_2)
  * @param[out] sigma_min smallest singular value of J: how far some leg moves per unit of the
  *     worst motion; 0 where drives do not hold, m (rr_3ups-sigma_min)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ * @see rr_3ups_singularity_setup_f64
+ * @see rr_3ups_singularity_step_f64
  */
 int rr_3ups_singularity_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double *det_2, double *sigma_min);
 
 /**
  * @brief What singularity_setup hands to singularity_step: 16 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of singularity_setup and a mark from its end, if it did not
+ *     refuse. Without the mark singularity_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x[3];
   double b_y[3];
   double a_m_y[3];
@@ -3722,11 +4253,14 @@ typedef struct {
  * @brief Set-up of singularity: all of it that changes with the mount only.
  *
  * Cost: 23 flops (17 mul, 6 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what singularity_step reads; untouched where the status is negative
+ * @param[out] ctx what singularity_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_singularity_f64
+ * @see rr_3ups_singularity_step_f64
  */
 int rr_3ups_singularity_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_singularity_ctx_f64 *ctx);
 
@@ -3736,16 +4270,19 @@ int rr_3ups_singularity_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_singulari
  *     of all three.
  *
  * Cost: 118 flops (67 mul, 42 add, 4 div, 5 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what singularity_setup left, its status not negative
+ * @param[in] ctx what singularity_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] det_2 determinant of the Jacobian of legs 1 and 2, m^2 (rr_3ups-det_2)
  * @param[out] sigma_min smallest singular value of J: how far some leg moves per unit of the
  *     worst motion; 0 where drives do not hold, m (rr_3ups-sigma_min)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_singularity_f64
+ * @see rr_3ups_singularity_setup_f64
  */
 int rr_3ups_singularity_step_f64(
     const rr_3ups_singularity_ctx_f64 *ctx, double alpha, double beta, double *det_2,
@@ -3758,28 +4295,30 @@ int rr_3ups_singularity_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] tau generalised force that the drives must give: moments about the axes of alpha
  *     and beta, N*m (rr_3ups-tau)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ * @see rr_3ups_generalized_force_setup_f64
+ * @see rr_3ups_generalized_force_step_f64
  */
 int rr_3ups_generalized_force_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -3787,10 +4326,16 @@ int rr_3ups_generalized_force_f64(
 
 /**
  * @brief What generalized_force_setup hands to generalized_force_step: 61 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of generalized_force_setup and a mark from its end, if it did
+ *     not refuse. Without the mark generalized_force_step answers ARMILLARY_OUT_OF_RANGE and
+ *     writes nothing: a machine does not go on with a mount that was never told, or that was
+ *     told wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   double a_m_y[3];
   double b_x[3];
   double b_y[3];
@@ -3824,11 +4369,14 @@ typedef struct {
  * @brief Set-up of generalized_force: all of it that changes with the mount only.
  *
  * Cost: 40 flops (16 mul, 24 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what generalized_force_step reads; untouched where the status is negative
+ * @param[out] ctx what generalized_force_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_generalized_force_f64
+ * @see rr_3ups_generalized_force_step_f64
  */
 int rr_3ups_generalized_force_setup_f64(
     const rr_3ups_params_f64 *p, rr_3ups_generalized_force_ctx_f64 *ctx);
@@ -3838,30 +4386,33 @@ int rr_3ups_generalized_force_setup_f64(
  *     must give.
  *
  * Cost: 613 flops (386 mul, 215 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what generalized_force_setup left, its status not negative
+ * @param[in] ctx what generalized_force_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] tau generalised force that the drives must give: moments about the axes of alpha
  *     and beta, N*m (rr_3ups-tau)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_generalized_force_f64
+ * @see rr_3ups_generalized_force_setup_f64
  */
 int rr_3ups_generalized_force_step_f64(
     const rr_3ups_generalized_force_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -3869,35 +4420,38 @@ int rr_3ups_generalized_force_step_f64(
     const double n_d[3], double tau[2]);
 
 /**
- * @brief The same where leg 3 is absent with its masses: its parameters must be legal, 0 serves,
- *     and are not felt.
+ * @brief The same where leg 3 is absent with its masses. Its parameters must be legal, 0 serves,
+ *     and no result depends on them; a call still works through three legs in its loop, and
+ *     leaves the third aside.
  *
  * Cost: 652 flops (405 mul, 235 add, 6 div, 6 sqrt), 22 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] tau generalised force that two drives must give where leg 3 is absent, N*m
  *     (rr_3ups-tau_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ * @see rr_3ups_generalized_force_two_legs_setup_f64
+ * @see rr_3ups_generalized_force_two_legs_step_f64
  */
 int rr_3ups_generalized_force_two_legs_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -3906,10 +4460,16 @@ int rr_3ups_generalized_force_two_legs_f64(
 /**
  * @brief What generalized_force_two_legs_setup hands to generalized_force_two_legs_step: 61
  *     numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of generalized_force_two_legs_setup and a mark from its end, if
+ *     it did not refuse. Without the mark generalized_force_two_legs_step answers
+ *     ARMILLARY_OUT_OF_RANGE and writes nothing: a machine does not go on with a mount that was
+ *     never told, or that was told wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   double a_m_y[3];
   double b_x[3];
   double b_y[3];
@@ -3943,45 +4503,51 @@ typedef struct {
  * @brief Set-up of generalized_force_two_legs: all of it that changes with the mount only.
  *
  * Cost: 40 flops (16 mul, 24 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what generalized_force_two_legs_step reads; untouched where the status is
- *     negative
+ * @param[out] ctx what generalized_force_two_legs_step reads; not ready where the status is
+ *     negative, whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_generalized_force_two_legs_f64
+ * @see rr_3ups_generalized_force_two_legs_step_f64
  */
 int rr_3ups_generalized_force_two_legs_setup_f64(
     const rr_3ups_params_f64 *p, rr_3ups_generalized_force_two_legs_ctx_f64 *ctx);
 
 /**
- * @brief Step of generalized_force_two_legs. The same where leg 3 is absent with its masses: its
- *     parameters must be legal, 0 serves, and are not felt.
+ * @brief Step of generalized_force_two_legs. The same where leg 3 is absent with its masses. Its
+ *     parameters must be legal, 0 serves, and no result depends on them; a call still works
+ *     through three legs in its loop, and leaves the third aside.
  *
  * Cost: 609 flops (386 mul, 211 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what generalized_force_two_legs_setup left, its status not negative
+ * @param[in] ctx what generalized_force_two_legs_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] tau generalised force that two drives must give where leg 3 is absent, N*m
  *     (rr_3ups-tau_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_generalized_force_two_legs_f64
+ * @see rr_3ups_generalized_force_two_legs_setup_f64
  */
 int rr_3ups_generalized_force_two_legs_step_f64(
     const rr_3ups_generalized_force_two_legs_ctx_f64 *ctx, double alpha, double beta,
@@ -3995,28 +4561,30 @@ int rr_3ups_generalized_force_two_legs_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] tau generalised force that the drives must give if legs do not spin, N*m
  *     (rr_3ups-tau_free)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
- *     of the joint gives it every motion
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: the axes
+ *     of its moments of inertia have no direction
+ * @see rr_3ups_generalized_force_spin_free_setup_f64
+ * @see rr_3ups_generalized_force_spin_free_step_f64
  */
 int rr_3ups_generalized_force_spin_free_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -4025,10 +4593,16 @@ int rr_3ups_generalized_force_spin_free_f64(
 /**
  * @brief What generalized_force_spin_free_setup hands to generalized_force_spin_free_step: 49
  *     numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of generalized_force_spin_free_setup and a mark from its end, if
+ *     it did not refuse. Without the mark generalized_force_spin_free_step answers
+ *     ARMILLARY_OUT_OF_RANGE and writes nothing: a machine does not go on with a mount that was
+ *     never told, or that was told wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   double a_m_y[3];
   double b_x[3];
   double b_y[3];
@@ -4058,12 +4632,14 @@ typedef struct {
  * @brief Set-up of generalized_force_spin_free: all of it that changes with the mount only.
  *
  * Cost: 28 flops (16 mul, 12 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what generalized_force_spin_free_step reads; untouched where the status is
- *     negative
+ * @param[out] ctx what generalized_force_spin_free_step reads; not ready where the status is
+ *     negative, whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_generalized_force_spin_free_f64
+ * @see rr_3ups_generalized_force_spin_free_step_f64
  */
 int rr_3ups_generalized_force_spin_free_setup_f64(
     const rr_3ups_params_f64 *p, rr_3ups_generalized_force_spin_free_ctx_f64 *ctx);
@@ -4073,30 +4649,33 @@ int rr_3ups_generalized_force_spin_free_setup_f64(
  *     takes them.
  *
  * Cost: 532 flops (335 mul, 185 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what generalized_force_spin_free_setup left, its status not negative
+ * @param[in] ctx what generalized_force_spin_free_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] tau generalised force that the drives must give if legs do not spin, N*m
  *     (rr_3ups-tau_free)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
- *     of the joint gives it every motion
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: the axes
+ *     of its moments of inertia have no direction
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_generalized_force_spin_free_f64
+ * @see rr_3ups_generalized_force_spin_free_setup_f64
  */
 int rr_3ups_generalized_force_spin_free_step_f64(
     const rr_3ups_generalized_force_spin_free_ctx_f64 *ctx, double alpha, double beta,
@@ -4110,22 +4689,22 @@ int rr_3ups_generalized_force_spin_free_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] F_out forces of the three drives, of least norm; extending positive, N
  *     (rr_3ups-F_q)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -4135,6 +4714,8 @@ int rr_3ups_generalized_force_spin_free_step_f64(
  *     of the joint gives it every motion
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ * @see rr_3ups_forces_setup_f64
+ * @see rr_3ups_forces_step_f64
  */
 int rr_3ups_forces_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -4143,10 +4724,15 @@ int rr_3ups_forces_f64(
 
 /**
  * @brief What forces_setup hands to forces_step: 62 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of forces_setup and a mark from its end, if it did not refuse.
+ *     Without the mark forces_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x[3];
   double b_y[3];
   double a_m_y[3];
@@ -4181,11 +4767,14 @@ typedef struct {
  * @brief Set-up of forces: all of it that changes with the mount only.
  *
  * Cost: 48 flops (21 mul, 27 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what forces_step reads; untouched where the status is negative
+ * @param[out] ctx what forces_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_forces_f64
+ * @see rr_3ups_forces_step_f64
  */
 int rr_3ups_forces_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_forces_ctx_f64 *ctx);
 
@@ -4193,24 +4782,24 @@ int rr_3ups_forces_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_forces_ctx_f64
  * @brief Step of forces. Forces of the three drives, of least norm; extending positive.
  *
  * Cost: 649 flops (410 mul, 226 add, 7 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what forces_setup left, its status not negative
+ * @param[in] ctx what forces_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] F_out forces of the three drives, of least norm; extending positive, N
  *     (rr_3ups-F_q)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -4220,6 +4809,9 @@ int rr_3ups_forces_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_forces_ctx_f64
  *     of the joint gives it every motion
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_forces_f64
+ * @see rr_3ups_forces_setup_f64
  */
 int rr_3ups_forces_step_f64(
     const rr_3ups_forces_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -4233,31 +4825,33 @@ int rr_3ups_forces_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] F_out forces of the three drives of legs that do not spin, of least norm;
  *     extending positive, N (rr_3ups-F_q_free)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
- *     of the joint gives it every motion
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: the axes
+ *     of its moments of inertia have no direction
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ * @see rr_3ups_forces_spin_free_setup_f64
+ * @see rr_3ups_forces_spin_free_step_f64
  */
 int rr_3ups_forces_spin_free_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -4266,10 +4860,16 @@ int rr_3ups_forces_spin_free_f64(
 
 /**
  * @brief What forces_spin_free_setup hands to forces_spin_free_step: 50 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of forces_spin_free_setup and a mark from its end, if it did not
+ *     refuse. Without the mark forces_spin_free_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x[3];
   double b_y[3];
   double a_m_y[3];
@@ -4300,11 +4900,14 @@ typedef struct {
  * @brief Set-up of forces_spin_free: all of it that changes with the mount only.
  *
  * Cost: 36 flops (21 mul, 15 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what forces_spin_free_step reads; untouched where the status is negative
+ * @param[out] ctx what forces_spin_free_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_forces_spin_free_f64
+ * @see rr_3ups_forces_spin_free_step_f64
  */
 int rr_3ups_forces_spin_free_setup_f64(
     const rr_3ups_params_f64 *p, rr_3ups_forces_spin_free_ctx_f64 *ctx);
@@ -4313,33 +4916,36 @@ int rr_3ups_forces_spin_free_setup_f64(
  * @brief Step of forces_spin_free. The same of legs that do not spin, as the paper takes them.
  *
  * Cost: 568 flops (359 mul, 196 add, 7 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what forces_spin_free_setup left, its status not negative
+ * @param[in] ctx what forces_spin_free_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] F_out forces of the three drives of legs that do not spin, of least norm;
  *     extending positive, N (rr_3ups-F_q_free)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
- *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
- *     of the joint gives it every motion
+ *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: the axes
+ *     of its moments of inertia have no direction
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_forces_spin_free_f64
+ * @see rr_3ups_forces_spin_free_setup_f64
  */
 int rr_3ups_forces_spin_free_step_f64(
     const rr_3ups_forces_spin_free_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -4353,24 +4959,24 @@ int rr_3ups_forces_spin_free_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[in] preload internal force: legs press against each other by it and the platform does
- *     not move, N, refused outside [-1e+06, 1e+06], working range [-100, 100]
+ *     not move, N, refused outside [-1e+06, 1e+06], working range [-100, 100]; each tick
  * @param[out] F_out forces of the three drives with an internal force, extending positive, N
  *     (rr_3ups-F_preloaded)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -4380,6 +4986,8 @@ int rr_3ups_forces_spin_free_step_f64(
  *     of the joint gives it every motion
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ * @see rr_3ups_forces_preloaded_setup_f64
+ * @see rr_3ups_forces_preloaded_step_f64
  */
 int rr_3ups_forces_preloaded_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -4388,10 +4996,16 @@ int rr_3ups_forces_preloaded_f64(
 
 /**
  * @brief What forces_preloaded_setup hands to forces_preloaded_step: 62 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of forces_preloaded_setup and a mark from its end, if it did not
+ *     refuse. Without the mark forces_preloaded_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x[3];
   double b_y[3];
   double a_m_y[3];
@@ -4426,11 +5040,14 @@ typedef struct {
  * @brief Set-up of forces_preloaded: all of it that changes with the mount only.
  *
  * Cost: 48 flops (21 mul, 27 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what forces_preloaded_step reads; untouched where the status is negative
+ * @param[out] ctx what forces_preloaded_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_forces_preloaded_f64
+ * @see rr_3ups_forces_preloaded_step_f64
  */
 int rr_3ups_forces_preloaded_setup_f64(
     const rr_3ups_params_f64 *p, rr_3ups_forces_preloaded_ctx_f64 *ctx);
@@ -4440,26 +5057,26 @@ int rr_3ups_forces_preloaded_setup_f64(
  *     moves nothing.
  *
  * Cost: 660 flops (417 mul, 229 add, 7 div, 7 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what forces_preloaded_setup left, its status not negative
+ * @param[in] ctx what forces_preloaded_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[in] preload internal force: legs press against each other by it and the platform does
- *     not move, N, refused outside [-1e+06, 1e+06], working range [-100, 100]
+ *     not move, N, refused outside [-1e+06, 1e+06], working range [-100, 100]; each tick
  * @param[out] F_out forces of the three drives with an internal force, extending positive, N
  *     (rr_3ups-F_preloaded)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -4469,6 +5086,9 @@ int rr_3ups_forces_preloaded_setup_f64(
  *     of the joint gives it every motion
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_forces_preloaded_f64
+ * @see rr_3ups_forces_preloaded_setup_f64
  */
 int rr_3ups_forces_preloaded_step_f64(
     const rr_3ups_forces_preloaded_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -4476,29 +5096,30 @@ int rr_3ups_forces_preloaded_step_f64(
     const double n_d[3], double preload, double F_out[3]);
 
 /**
- * @brief Forces of the drives of legs 1 and 2 where leg 3 is absent with its masses: its
- *     parameters must be legal, 0 serves, and are not felt.
+ * @brief Forces of the drives of legs 1 and 2 where leg 3 is absent with its masses. Its
+ *     parameters must be legal, 0 serves, and no result depends on them; a call still works
+ *     through three legs in its loop, and leaves the third aside.
  *
  * Cost: 670 flops (418 mul, 239 add, 7 div, 6 sqrt), 22 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] F_out forces of the drives of legs 1 and 2 where leg 3 is absent; extending
  *     positive, N (rr_3ups-F_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -4508,6 +5129,8 @@ int rr_3ups_forces_preloaded_step_f64(
  *     of the joint gives it every motion
  *   SINGULAR: two drives do not hold the platform, |det_2| is at most 1e-5 (r_1^2 + r_2^2):
  *     forces are given as 0, so hold the axes
+ * @see rr_3ups_forces_two_legs_setup_f64
+ * @see rr_3ups_forces_two_legs_step_f64
  */
 int rr_3ups_forces_two_legs_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -4516,10 +5139,16 @@ int rr_3ups_forces_two_legs_f64(
 
 /**
  * @brief What forces_two_legs_setup hands to forces_two_legs_step: 62 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of forces_two_legs_setup and a mark from its end, if it did not
+ *     refuse. Without the mark forces_two_legs_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   double a_m_y[3];
   double b_x[3];
   double b_y[3];
@@ -4554,38 +5183,42 @@ typedef struct {
  * @brief Set-up of forces_two_legs: all of it that changes with the mount only.
  *
  * Cost: 45 flops (20 mul, 25 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what forces_two_legs_step reads; untouched where the status is negative
+ * @param[out] ctx what forces_two_legs_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_forces_two_legs_f64
+ * @see rr_3ups_forces_two_legs_step_f64
  */
 int rr_3ups_forces_two_legs_setup_f64(
     const rr_3ups_params_f64 *p, rr_3ups_forces_two_legs_ctx_f64 *ctx);
 
 /**
  * @brief Step of forces_two_legs. Forces of the drives of legs 1 and 2 where leg 3 is absent
- *     with its masses: its parameters must be legal, 0 serves, and are not felt.
+ *     with its masses. Its parameters must be legal, 0 serves, and no result depends on them; a
+ *     call still works through three legs in its loop, and leaves the third aside.
  *
  * Cost: 622 flops (395 mul, 214 add, 7 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what forces_two_legs_setup left, its status not negative
+ * @param[in] ctx what forces_two_legs_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] F_out forces of the drives of legs 1 and 2 where leg 3 is absent; extending
  *     positive, N (rr_3ups-F_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -4595,6 +5228,9 @@ int rr_3ups_forces_two_legs_setup_f64(
  *     of the joint gives it every motion
  *   SINGULAR: two drives do not hold the platform, |det_2| is at most 1e-5 (r_1^2 + r_2^2):
  *     forces are given as 0, so hold the axes
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_forces_two_legs_f64
+ * @see rr_3ups_forces_two_legs_setup_f64
  */
 int rr_3ups_forces_two_legs_step_f64(
     const rr_3ups_forces_two_legs_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -4608,9 +5244,9 @@ int rr_3ups_forces_two_legs_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] N forces of norm 1 that do no work along any motion, 0 where drives do not hold
  *     (rr_3ups-internal)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -4618,16 +5254,24 @@ int rr_3ups_forces_two_legs_step_f64(
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ * @see rr_3ups_internal_forces_setup_f64
+ * @see rr_3ups_internal_forces_step_f64
  */
 int rr_3ups_internal_forces_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double N[3]);
 
 /**
  * @brief What internal_forces_setup hands to internal_forces_step: 16 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of internal_forces_setup and a mark from its end, if it did not
+ *     refuse. Without the mark internal_forces_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x[3];
   double b_y[3];
   double a_m_y[3];
@@ -4640,11 +5284,14 @@ typedef struct {
  * @brief Set-up of internal_forces: all of it that changes with the mount only.
  *
  * Cost: 23 flops (17 mul, 6 add, 0 div, 0 sqrt), 12 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: zeta, t, s, m_t, m_s, I_t, I_s, I_m, m_m, r_sc, g
- * @param[out] ctx what internal_forces_step reads; untouched where the status is negative
+ * @param[out] ctx what internal_forces_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_internal_forces_f64
+ * @see rr_3ups_internal_forces_step_f64
  */
 int rr_3ups_internal_forces_setup_f64(
     const rr_3ups_params_f64 *p, rr_3ups_internal_forces_ctx_f64 *ctx);
@@ -4653,11 +5300,11 @@ int rr_3ups_internal_forces_setup_f64(
  * @brief Step of internal_forces. Forces of norm 1 that do no work along any motion.
  *
  * Cost: 97 flops (57 mul, 32 add, 4 div, 4 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what internal_forces_setup left, its status not negative
+ * @param[in] ctx what internal_forces_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] N forces of norm 1 that do no work along any motion, 0 where drives do not hold
  *     (rr_3ups-internal)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
@@ -4665,6 +5312,9 @@ int rr_3ups_internal_forces_setup_f64(
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_internal_forces_f64
+ * @see rr_3ups_internal_forces_setup_f64
  */
 int rr_3ups_internal_forces_step_f64(
     const rr_3ups_internal_forces_ctx_f64 *ctx, double alpha, double beta, double N[3]);
@@ -4676,22 +5326,22 @@ int rr_3ups_internal_forces_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] P mechanical power of the three drives, W (rr_3ups-P_q)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
@@ -4700,6 +5350,8 @@ int rr_3ups_internal_forces_step_f64(
  *     of the joint gives it every motion
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ * @see rr_3ups_power_setup_f64
+ * @see rr_3ups_power_step_f64
  */
 int rr_3ups_power_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -4707,10 +5359,15 @@ int rr_3ups_power_f64(
 
 /**
  * @brief What power_setup hands to power_step: 62 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of power_setup and a mark from its end, if it did not refuse.
+ *     Without the mark power_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds rr_3ups-b, rr_3ups-a_m, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   double b_x[3];
   double b_y[3];
   double a_m_y[3];
@@ -4745,11 +5402,14 @@ typedef struct {
  * @brief Set-up of power: all of it that changes with the mount only.
  *
  * Cost: 48 flops (21 mul, 27 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what power_step reads; untouched where the status is negative
+ * @param[out] ctx what power_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_power_f64
+ * @see rr_3ups_power_step_f64
  */
 int rr_3ups_power_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_power_ctx_f64 *ctx);
 
@@ -4757,24 +5417,24 @@ int rr_3ups_power_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_power_ctx_f64 *
  * @brief Step of power. Mechanical power of the three drives at forces of least norm.
  *
  * Cost: 652 flops (413 mul, 226 add, 7 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what power_setup left, its status not negative
+ * @param[in] ctx what power_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] P mechanical power of the three drives, W (rr_3ups-P_q)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
@@ -4783,6 +5443,9 @@ int rr_3ups_power_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_power_ctx_f64 *
  *     of the joint gives it every motion
  *   SINGULAR: three drives do not hold the platform, sqrt(det J^T J) is at most 1e-5 of the sum
  *     of r^2: forces are given as 0, so hold the axes
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_power_f64
+ * @see rr_3ups_power_setup_f64
  */
 int rr_3ups_power_step_f64(
     const rr_3ups_power_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -4790,28 +5453,30 @@ int rr_3ups_power_step_f64(
     const double n_d[3], double P[3]);
 
 /**
- * @brief Mechanical power of the drives of legs 1 and 2 where leg 3 is absent.
+ * @brief Mechanical power of the drives of legs 1 and 2 where leg 3 is absent with its masses.
+ *     Its parameters must be legal, 0 serves, and no result depends on them; a call still works
+ *     through three legs in its loop, and leaves the third aside.
  *
  * Cost: 672 flops (420 mul, 239 add, 7 div, 6 sqrt), 22 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] P mechanical power of the two drives where leg 3 is absent, W (rr_3ups-P_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
@@ -4820,6 +5485,8 @@ int rr_3ups_power_step_f64(
  *     of the joint gives it every motion
  *   SINGULAR: two drives do not hold the platform, |det_2| is at most 1e-5 (r_1^2 + r_2^2):
  *     forces are given as 0, so hold the axes
+ * @see rr_3ups_power_two_legs_setup_f64
+ * @see rr_3ups_power_two_legs_step_f64
  */
 int rr_3ups_power_two_legs_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -4827,10 +5494,16 @@ int rr_3ups_power_two_legs_f64(
 
 /**
  * @brief What power_two_legs_setup hands to power_two_legs_step: 62 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of power_two_legs_setup and a mark from its end, if it did not
+ *     refuse. Without the mark power_two_legs_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   double a_m_y[3];
   double b_x[3];
   double b_y[3];
@@ -4865,38 +5538,42 @@ typedef struct {
  * @brief Set-up of power_two_legs: all of it that changes with the mount only.
  *
  * Cost: 45 flops (20 mul, 25 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what power_two_legs_step reads; untouched where the status is negative
+ * @param[out] ctx what power_two_legs_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_power_two_legs_f64
+ * @see rr_3ups_power_two_legs_step_f64
  */
 int rr_3ups_power_two_legs_setup_f64(
     const rr_3ups_params_f64 *p, rr_3ups_power_two_legs_ctx_f64 *ctx);
 
 /**
  * @brief Step of power_two_legs. Mechanical power of the drives of legs 1 and 2 where leg 3 is
- *     absent.
+ *     absent with its masses. Its parameters must be legal, 0 serves, and no result depends on
+ *     them; a call still works through three legs in its loop, and leaves the third aside.
  *
  * Cost: 624 flops (397 mul, 214 add, 7 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what power_two_legs_setup left, its status not negative
+ * @param[in] ctx what power_two_legs_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] alpha_ddot rate of alpha_dot, rad/s^2, refused outside [-1e+06, 1e+06], working
- *     range [-1, 1]
+ *     range [-1, 1]; each tick
  * @param[in] beta_ddot rate of beta_dot, rad/s^2, refused outside [-1e+06, 1e+06], working range
- *     [-1, 1]
+ *     [-1, 1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] P mechanical power of the two drives where leg 3 is absent, W (rr_3ups-P_2)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
@@ -4905,6 +5582,9 @@ int rr_3ups_power_two_legs_setup_f64(
  *     of the joint gives it every motion
  *   SINGULAR: two drives do not hold the platform, |det_2| is at most 1e-5 (r_1^2 + r_2^2):
  *     forces are given as 0, so hold the axes
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_power_two_legs_f64
+ * @see rr_3ups_power_two_legs_setup_f64
  */
 int rr_3ups_power_two_legs_step_f64(
     const rr_3ups_power_two_legs_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -4918,15 +5598,17 @@ int rr_3ups_power_two_legs_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; none of them is read
  * @param[in] F_leg force of drive i, extending positive, for each leg, N, refused outside
- *     [-1e+06, 1e+06], working range [-500, 500]
+ *     [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] K_M torque constant of a motor, N*m/A, refused outside [0.0001, 1e+06], working
- *     range [0.01, 1]
+ *     range [0.01, 1]; held by the mount
  * @param[in] R_w resistance of a motor's winding, ohm, refused outside [0, 1e+06], working range
- *     [0, 10]
+ *     [0, 10]; held by the mount
  * @param[in] lead travel of a screw per turn, m, refused outside [0, 10], working range [0.001,
- *     0.02]
+ *     0.02]; held by the mount
  * @param[out] P heat of motor i, for each leg, W (rr_3ups-P_copper)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_copper_power_setup_f64
+ * @see rr_3ups_copper_power_step_f64
  */
 int rr_3ups_copper_power_f64(
     const rr_3ups_params_f64 *p, const double F_leg[3], double K_M, double R_w, double lead,
@@ -4934,9 +5616,15 @@ int rr_3ups_copper_power_f64(
 
 /**
  * @brief What copper_power_setup hands to copper_power_step: 2 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of copper_power_setup and a mark from its end, if it did not
+ *     refuse. Without the mark copper_power_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double m1;
   double R_w;
 } rr_3ups_copper_power_ctx_f64;
@@ -4945,16 +5633,20 @@ typedef struct {
  * @brief Set-up of copper_power: all of it that changes with the mount only.
  *
  * Cost: 3 flops (2 mul, 0 add, 1 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; none of them is read
  * @param[in] K_M torque constant of a motor, N*m/A, refused outside [0.0001, 1e+06], working
- *     range [0.01, 1]
+ *     range [0.01, 1]; held by the mount
  * @param[in] R_w resistance of a motor's winding, ohm, refused outside [0, 1e+06], working range
- *     [0, 10]
+ *     [0, 10]; held by the mount
  * @param[in] lead travel of a screw per turn, m, refused outside [0, 10], working range [0.001,
- *     0.02]
- * @param[out] ctx what copper_power_step reads; untouched where the status is negative
+ *     0.02]; held by the mount
+ * @param[out] ctx what copper_power_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_copper_power_f64
+ * @see rr_3ups_copper_power_step_f64
  */
 int rr_3ups_copper_power_setup_f64(
     const rr_3ups_params_f64 *p, double K_M, double R_w, double lead,
@@ -4965,11 +5657,14 @@ int rr_3ups_copper_power_setup_f64(
  *
  * Cost: 9 flops (9 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
- * @param[in] ctx what copper_power_setup left, its status not negative
+ * @param[in] ctx what copper_power_setup left; refused if it is not ready
  * @param[in] F_leg force of drive i, extending positive, for each leg, N, refused outside
- *     [-1e+06, 1e+06], working range [-500, 500]
+ *     [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[out] P heat of motor i, for each leg, W (rr_3ups-P_copper)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_copper_power_f64
+ * @see rr_3ups_copper_power_setup_f64
  */
 int rr_3ups_copper_power_step_f64(
     const rr_3ups_copper_power_ctx_f64 *ctx, const double F_leg[3], double P[3]);
@@ -4981,19 +5676,21 @@ int rr_3ups_copper_power_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[out] T kinetic energy of platform and legs, N*m (rr_3ups-T)
  * @param[out] V potential energy of platform and legs, zero on the ground, N*m (rr_3ups-V)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ * @see rr_3ups_energy_setup_f64
+ * @see rr_3ups_energy_step_f64
  */
 int rr_3ups_energy_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -5001,10 +5698,15 @@ int rr_3ups_energy_f64(
 
 /**
  * @brief What energy_setup hands to energy_step: 53 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of energy_setup and a mark from its end, if it did not refuse.
+ *     Without the mark energy_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   double a_m_y[3];
   double b_x[3];
   double b_y[3];
@@ -5034,11 +5736,14 @@ typedef struct {
  * @brief Set-up of energy: all of it that changes with the mount only.
  *
  * Cost: 25 flops (13 mul, 12 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what energy_step reads; untouched where the status is negative
+ * @param[out] ctx what energy_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_energy_f64
+ * @see rr_3ups_energy_step_f64
  */
 int rr_3ups_energy_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_energy_ctx_f64 *ctx);
 
@@ -5046,21 +5751,24 @@ int rr_3ups_energy_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_energy_ctx_f64
  * @brief Step of energy. Kinetic and potential energy of platform and legs.
  *
  * Cost: 394 flops (253 mul, 129 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what energy_setup left, its status not negative
+ * @param[in] ctx what energy_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[out] T kinetic energy of platform and legs, N*m (rr_3ups-T)
  * @param[out] V potential energy of platform and legs, zero on the ground, N*m (rr_3ups-V)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_energy_f64
+ * @see rr_3ups_energy_setup_f64
  */
 int rr_3ups_energy_step_f64(
     const rr_3ups_energy_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
@@ -5073,24 +5781,32 @@ int rr_3ups_energy_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters; not read: m_m, r_sc, g
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] H mass matrix of alpha and beta, legs included, 2 by 2, row-major, m^2*kg
  *     (rr_3ups-mass_matrix)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ * @see rr_3ups_mass_matrix_setup_f64
+ * @see rr_3ups_mass_matrix_step_f64
  */
 int rr_3ups_mass_matrix_f64(const rr_3ups_params_f64 *p, double alpha, double beta, double H[4]);
 
 /**
  * @brief What mass_matrix_setup hands to mass_matrix_step: 39 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of mass_matrix_setup and a mark from its end, if it did not
+ *     refuse. Without the mark mass_matrix_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   double a_m_y[3];
   double b_x[3];
   double b_y[3];
@@ -5112,11 +5828,14 @@ typedef struct {
  * @brief Set-up of mass_matrix: all of it that changes with the mount only.
  *
  * Cost: 36 flops (18 mul, 18 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: m_m, r_sc, g
- * @param[out] ctx what mass_matrix_step reads; untouched where the status is negative
+ * @param[out] ctx what mass_matrix_step reads; not ready where the status is negative, whatever
+ *     it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_mass_matrix_f64
+ * @see rr_3ups_mass_matrix_step_f64
  */
 int rr_3ups_mass_matrix_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_mass_matrix_ctx_f64 *ctx);
 
@@ -5124,17 +5843,20 @@ int rr_3ups_mass_matrix_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_mass_matr
  * @brief Step of mass_matrix. Mass matrix of alpha and beta, legs included.
  *
  * Cost: 439 flops (289 mul, 138 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what mass_matrix_setup left, its status not negative
+ * @param[in] ctx what mass_matrix_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] H mass matrix of alpha and beta, legs included, 2 by 2, row-major, m^2*kg
  *     (rr_3ups-mass_matrix)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_mass_matrix_f64
+ * @see rr_3ups_mass_matrix_setup_f64
  */
 int rr_3ups_mass_matrix_step_f64(
     const rr_3ups_mass_matrix_ctx_f64 *ctx, double alpha, double beta, double H[4]);
@@ -5146,23 +5868,25 @@ int rr_3ups_mass_matrix_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] tau_0 generalised force at no acceleration, N*m (rr_3ups-bias)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ * @see rr_3ups_bias_setup_f64
+ * @see rr_3ups_bias_step_f64
  */
 int rr_3ups_bias_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -5170,10 +5894,15 @@ int rr_3ups_bias_f64(
 
 /**
  * @brief What bias_setup hands to bias_step: 60 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of bias_setup and a mark from its end, if it did not refuse.
+ *     Without the mark bias_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   double a_m_y[3];
   double b_x[3];
   double b_y[3];
@@ -5206,11 +5935,14 @@ typedef struct {
  * @brief Set-up of bias: all of it that changes with the mount only.
  *
  * Cost: 40 flops (16 mul, 24 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what bias_step reads; untouched where the status is negative
+ * @param[out] ctx what bias_step reads; not ready where the status is negative, whatever it held
+ *     before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_bias_f64
+ * @see rr_3ups_bias_step_f64
  */
 int rr_3ups_bias_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_bias_ctx_f64 *ctx);
 
@@ -5218,25 +5950,28 @@ int rr_3ups_bias_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_bias_ctx_f64 *ct
  * @brief Step of bias. Generalised force at no acceleration.
  *
  * Cost: 583 flops (371 mul, 200 add, 6 div, 6 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what bias_setup left, its status not negative
+ * @param[in] ctx what bias_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] tau_0 generalised force at no acceleration, N*m (rr_3ups-bias)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a leg is shorter than 1e-6 m
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_bias_f64
+ * @see rr_3ups_bias_setup_f64
  */
 int rr_3ups_bias_step_f64(
     const rr_3ups_bias_ctx_f64 *ctx, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -5249,20 +5984,20 @@ int rr_3ups_bias_step_f64(
  * Inputs are read while results are written: they must not overlap.
  * @param[in] p parameters
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] F_leg force of drive i, extending positive, for each leg, N, refused outside
- *     [-1e+06, 1e+06], working range [-500, 500]
+ *     [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] alpha_ddot acceleration of alpha under the forces given, 1/s^2
  *     (rr_3ups-alpha_ddot_found)
  * @param[out] beta_ddot acceleration of beta under the forces given, 1/s^2
@@ -5273,6 +6008,8 @@ int rr_3ups_bias_step_f64(
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
  *   SINGULAR: some motion moves no mass: accelerations are given as 0
+ * @see rr_3ups_forward_dynamics_setup_f64
+ * @see rr_3ups_forward_dynamics_step_f64
  */
 int rr_3ups_forward_dynamics_f64(
     const rr_3ups_params_f64 *p, double alpha, double beta, double alpha_dot, double beta_dot,
@@ -5281,10 +6018,16 @@ int rr_3ups_forward_dynamics_f64(
 
 /**
  * @brief What forward_dynamics_setup hands to forward_dynamics_step: 67 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of forward_dynamics_setup and a mark from its end, if it did not
+ *     refuse. Without the mark forward_dynamics_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
  * It holds rr_3ups-a_m, rr_3ups-b, rr_3ups-a_c, rr_3ups-b_c, rr_3ups-first, rr_3ups-I_leg.
  */
 typedef struct {
+  volatile unsigned long ready;
   double a_m_y[3];
   double b_x[3];
   double b_y[3];
@@ -5320,11 +6063,14 @@ typedef struct {
  * @brief Set-up of forward_dynamics: all of it that changes with the mount only.
  *
  * Cost: 49 flops (19 mul, 30 add, 0 div, 0 sqrt), 18 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * Inputs are read while results are written: they must not overlap.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters
- * @param[out] ctx what forward_dynamics_step reads; untouched where the status is negative
+ * @param[out] ctx what forward_dynamics_step reads; not ready where the status is negative,
+ *     whatever it held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see rr_3ups_forward_dynamics_f64
+ * @see rr_3ups_forward_dynamics_step_f64
  */
 int rr_3ups_forward_dynamics_setup_f64(
     const rr_3ups_params_f64 *p, rr_3ups_forward_dynamics_ctx_f64 *ctx);
@@ -5335,22 +6081,22 @@ int rr_3ups_forward_dynamics_setup_f64(
  *
  * Cost: 814 flops (523 mul, 277 add, 8 div, 6 sqrt), 4 sin/cos, 0 atan2.
  * Inputs are read while results are written: they must not overlap.
- * @param[in] ctx what forward_dynamics_setup left, its status not negative
+ * @param[in] ctx what forward_dynamics_setup left; refused if it is not ready
  * @param[in] alpha turn of the platform about the vertical, rad, refused outside [-1000, 1000],
- *     working range [-3.2, 3.2]
+ *     working range [-3.2, 3.2]; each tick
  * @param[in] beta tilt of the platform about the axis that turned with it, rad, refused outside
- *     [-1000, 1000], working range [-1.5, 1.5]
+ *     [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] alpha_dot rate of alpha, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] beta_dot rate of beta, rad/s, refused outside [-1e+06, 1e+06], working range [-1,
- *     1]
+ *     1]; each tick
  * @param[in] F_leg force of drive i, extending positive, for each leg, N, refused outside
- *     [-1e+06, 1e+06], working range [-500, 500]
+ *     [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] f_d disturbing force on the platform at o, which the column takes: it does no work.
  *     A force on another point, such as wind, comes in by its moment about o, n_d, N, refused
- *     outside [-1e+06, 1e+06], working range [-500, 500]
+ *     outside [-1e+06, 1e+06], working range [-500, 500]; each tick
  * @param[in] n_d disturbing moment on the platform about o, world axes, N*m, refused outside
- *     [-1e+06, 1e+06], working range [-200, 200]
+ *     [-1e+06, 1e+06], working range [-200, 200]; each tick
  * @param[out] alpha_ddot acceleration of alpha under the forces given, 1/s^2
  *     (rr_3ups-alpha_ddot_found)
  * @param[out] beta_ddot acceleration of beta under the forces given, 1/s^2
@@ -5361,6 +6107,9 @@ int rr_3ups_forward_dynamics_setup_f64(
  *   UNREACHABLE: a leg stands along the first axis of its universal joint, within 1e-5: no rate
  *     of the joint gives it every motion
  *   SINGULAR: some motion moves no mass: accelerations are given as 0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see rr_3ups_forward_dynamics_f64
+ * @see rr_3ups_forward_dynamics_setup_f64
  */
 int rr_3ups_forward_dynamics_step_f64(
     const rr_3ups_forward_dynamics_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@ int rr_3ups_copper_power_setup_f32(
     const rr_3ups_params_f32 *p, float K_M, float R_w, float lead,
     rr_3ups_copper_power_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   int status = ARMILLARY_OK;
   (void)p;
 
@@ -38,6 +39,7 @@ int rr_3ups_copper_power_setup_f32(
     const float t1 = 1.0f / K_M;
     ctx->m1 = (0.15915494f * lead) * t1;
     ctx->R_w = R_w;
+    ctx->ready = 0x789594beUL;
   }
   return status;
 }
@@ -47,7 +49,7 @@ int rr_3ups_copper_power_step_f32(
 {
   const float m1 = ctx->m1;
   const float R_w = ctx->R_w;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x789594beUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   for (int leg = 0; leg < 3; ++leg) {
     if (!(fabsf(F_leg[leg]) <= 1.0e6f)) {

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -24,6 +24,7 @@ int rr_3ups_copper_power_setup_f64(
     const rr_3ups_params_f64 *p, double K_M, double R_w, double lead,
     rr_3ups_copper_power_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   int status = ARMILLARY_OK;
   (void)p;
 
@@ -40,6 +41,7 @@ int rr_3ups_copper_power_setup_f64(
     const double t1 = 1.0 / K_M;
     ctx->m1 = (0.15915494309189535 * lead) * t1;
     ctx->R_w = R_w;
+    ctx->ready = 0x46853aafUL;
   }
   return status;
 }
@@ -49,7 +51,7 @@ int rr_3ups_copper_power_step_f64(
 {
   const double m1 = ctx->m1;
   const double R_w = ctx->R_w;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x46853aafUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   for (int leg = 0; leg < 3; ++leg) {
     if (!(fabs(F_leg[leg]) <= 1.0e6)) {

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@
 
 int rr_3ups_energy_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_energy_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double I_m_x = p->I_m[0];
   const double I_m_y = p->I_m[1];
   const double I_m_z = p->I_m[2];
@@ -144,6 +145,7 @@ int rr_3ups_energy_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_energy_ctx_f64
     ctx->r_sc_y = r_sc_y;
     ctx->r_sc_z = r_sc_z;
     ctx->m1 = m_m * g;
+    ctx->ready = 0xf596c313UL;
   }
   return status;
 }
@@ -160,20 +162,23 @@ int rr_3ups_energy_step_f64(
   const double r_sc_y = ctx->r_sc_y;
   const double r_sc_z = ctx->r_sc_z;
   const double m1 = ctx->m1;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xf596c313UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0) ||
       !(fabs(alpha_dot) <= 1.0e6) ||
       !(fabs(beta_dot) <= 1.0e6)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0)) ||
         ((fabs(alpha_dot) <= DBL_MAX) && !(fabs(alpha_dot) <= 1.0e6)) ||
         ((fabs(beta_dot) <= DBL_MAX) && !(fabs(beta_dot) <= 1.0e6))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double z_m_y = sin(beta); /* rr_3ups-z_m */
     const double z_m_z = cos(beta); /* rr_3ups-z_m */
     const double sin_alpha = sin(alpha);

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -20,6 +20,7 @@
 
 int rr_3ups_forces_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_forces_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float I_m_x = p->I_m[0];
   const float I_m_y = p->I_m[1];
   const float I_m_z = p->I_m[2];
@@ -152,6 +153,7 @@ int rr_3ups_forces_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_forces_ctx_f32
     ctx->r_sc_y = r_sc_y;
     ctx->r_sc_z = r_sc_z;
     ctx->m9 = m_m * g;
+    ctx->ready = 0x33ace0c8UL;
   }
   return status;
 }
@@ -177,7 +179,7 @@ int rr_3ups_forces_step_f32(
   const float r_sc_y = ctx->r_sc_y;
   const float r_sc_z = ctx->r_sc_z;
   const float m9 = ctx->m9;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x33ace0c8UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f) ||
@@ -191,7 +193,9 @@ int rr_3ups_forces_step_f32(
       !(fabsf(n_d_x) <= 1.0e6f) ||
       !(fabsf(n_d_y) <= 1.0e6f) ||
       !(fabsf(n_d_z) <= 1.0e6f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f)) ||
         ((fabsf(alpha_dot) <= FLT_MAX) && !(fabsf(alpha_dot) <= 1.0e6f)) ||
@@ -206,7 +210,8 @@ int rr_3ups_forces_step_f32(
         ((fabsf(n_d_z) <= FLT_MAX) && !(fabsf(n_d_z) <= 1.0e6f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_alpha = sinf(alpha);
     const float cos_alpha = cosf(alpha);
     const float z_m_y = sinf(beta); /* rr_3ups-z_m */

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -23,6 +23,7 @@
 int rr_3ups_forces_two_legs_setup_f32(
     const rr_3ups_params_f32 *p, rr_3ups_forces_two_legs_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float I_m_x = p->I_m[0];
   const float I_m_y = p->I_m[1];
   const float I_m_z = p->I_m[2];
@@ -154,6 +155,7 @@ int rr_3ups_forces_two_legs_setup_f32(
     ctx->r_sc_z = r_sc_z;
     ctx->m8 = m_m * g;
     ctx->m9 = t1 * t1;
+    ctx->ready = 0x74bcb2b9UL;
   }
   return status;
 }
@@ -180,7 +182,7 @@ int rr_3ups_forces_two_legs_step_f32(
   const float r_sc_z = ctx->r_sc_z;
   const float m8 = ctx->m8;
   const float m9 = ctx->m9;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x74bcb2b9UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f) ||
@@ -194,7 +196,9 @@ int rr_3ups_forces_two_legs_step_f32(
       !(fabsf(n_d_x) <= 1.0e6f) ||
       !(fabsf(n_d_y) <= 1.0e6f) ||
       !(fabsf(n_d_z) <= 1.0e6f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f)) ||
         ((fabsf(alpha_dot) <= FLT_MAX) && !(fabsf(alpha_dot) <= 1.0e6f)) ||
@@ -209,7 +213,8 @@ int rr_3ups_forces_two_legs_step_f32(
         ((fabsf(n_d_z) <= FLT_MAX) && !(fabsf(n_d_z) <= 1.0e6f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float z_m_y = sinf(beta); /* rr_3ups-z_m */
     const float z_m_z = cosf(beta); /* rr_3ups-z_m */
     const float sin_alpha = sinf(alpha);

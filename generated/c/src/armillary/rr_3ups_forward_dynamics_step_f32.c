@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -23,6 +23,7 @@
 int rr_3ups_forward_dynamics_setup_f32(
     const rr_3ups_params_f32 *p, rr_3ups_forward_dynamics_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float I_m_x = p->I_m[0];
   const float I_m_y = p->I_m[1];
   const float I_m_z = p->I_m[2];
@@ -155,6 +156,7 @@ int rr_3ups_forward_dynamics_setup_f32(
     ctx->r_sc_y = r_sc_y;
     ctx->r_sc_z = r_sc_z;
     ctx->m10 = m_m * g;
+    ctx->ready = 0x38155cebUL;
   }
   return status;
 }
@@ -180,7 +182,7 @@ int rr_3ups_forward_dynamics_step_f32(
   const float r_sc_y = ctx->r_sc_y;
   const float r_sc_z = ctx->r_sc_z;
   const float m10 = ctx->m10;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x38155cebUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   for (int leg = 0; leg < 3; ++leg) {
     if (!(fabsf(F_leg[leg]) <= 1.0e6f)) {

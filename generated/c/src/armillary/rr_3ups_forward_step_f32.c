@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -20,6 +20,7 @@
 
 int rr_3ups_forward_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_forward_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float h_0 = p->h_0;
   int status = ARMILLARY_OK;
 
@@ -76,6 +77,7 @@ int rr_3ups_forward_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_forward_ctx_f
     }
     const int t5 = 1.0e-12f < scale;
     ctx->m1 = t5;
+    ctx->ready = 0x6d6134efUL;
   }
   return status;
 }
@@ -85,7 +87,7 @@ int rr_3ups_forward_step_f32(
     float *beta, float *residual)
 {
   const int m1 = ctx->m1;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x6d6134efUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   for (int leg = 0; leg < 3; ++leg) {
     if (!((q[leg] >= 0.0f) && (q[leg] <= 1000.0f))) {

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@
 
 int rr_3ups_forward_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_forward_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double h_0 = p->h_0;
   int status = ARMILLARY_OK;
 
@@ -78,6 +79,7 @@ int rr_3ups_forward_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_forward_ctx_f
     }
     const int t5 = 1.0e-12 < scale;
     ctx->m1 = t5;
+    ctx->ready = 0x7ebb6733UL;
   }
   return status;
 }
@@ -87,7 +89,7 @@ int rr_3ups_forward_step_f64(
     double *beta, double *residual)
 {
   const int m1 = ctx->m1;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x7ebb6733UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   for (int leg = 0; leg < 3; ++leg) {
     if (!((q[leg] >= 0.0) && (q[leg] <= 1000.0))) {

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -23,6 +23,7 @@
 int rr_3ups_internal_forces_setup_f32(
     const rr_3ups_params_f32 *p, rr_3ups_internal_forces_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float h_0 = p->h_0;
   int status = ARMILLARY_OK;
 
@@ -74,6 +75,7 @@ int rr_3ups_internal_forces_setup_f32(
     }
     const float t5 = 0.00001f * scale;
     ctx->m1 = t5 * t5;
+    ctx->ready = 0xc972637cUL;
   }
   return status;
 }
@@ -82,16 +84,19 @@ int rr_3ups_internal_forces_step_f32(
     const rr_3ups_internal_forces_ctx_f32 *ctx, float alpha, float beta, float N[3])
 {
   const float m1 = ctx->m1;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xc972637cUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_alpha = sinf(alpha);
     const float cos_alpha = cosf(alpha);
     const float sin_beta = sinf(beta);

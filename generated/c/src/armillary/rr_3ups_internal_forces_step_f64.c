@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -25,6 +25,7 @@
 int rr_3ups_internal_forces_setup_f64(
     const rr_3ups_params_f64 *p, rr_3ups_internal_forces_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double h_0 = p->h_0;
   int status = ARMILLARY_OK;
 
@@ -76,6 +77,7 @@ int rr_3ups_internal_forces_setup_f64(
     }
     const double t5 = 0.00001 * scale;
     ctx->m1 = t5 * t5;
+    ctx->ready = 0xbb03fd43UL;
   }
   return status;
 }
@@ -84,16 +86,19 @@ int rr_3ups_internal_forces_step_f64(
     const rr_3ups_internal_forces_ctx_f64 *ctx, double alpha, double beta, double N[3])
 {
   const double m1 = ctx->m1;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xbb03fd43UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double sin_alpha = sin(alpha);
     const double cos_alpha = cos(alpha);
     const double sin_beta = sin(beta);

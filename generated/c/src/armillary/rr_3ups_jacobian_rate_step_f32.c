@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -21,6 +21,7 @@
 int rr_3ups_jacobian_rate_setup_f32(
     const rr_3ups_params_f32 *p, rr_3ups_jacobian_rate_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float h_0 = p->h_0;
   int status = ARMILLARY_OK;
 
@@ -68,6 +69,7 @@ int rr_3ups_jacobian_rate_setup_f32(
       ctx->a_m_x[leg] = a_m_x;
       ctx->b_c_z[leg] = b_c_z;
     }
+    ctx->ready = 0x2511eb89UL;
   }
   return status;
 }
@@ -76,20 +78,23 @@ int rr_3ups_jacobian_rate_step_f32(
     const rr_3ups_jacobian_rate_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
     float beta_dot, float J_dot[6])
 {
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x2511eb89UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f) ||
       !(fabsf(alpha_dot) <= 1.0e6f) ||
       !(fabsf(beta_dot) <= 1.0e6f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f)) ||
         ((fabsf(alpha_dot) <= FLT_MAX) && !(fabsf(alpha_dot) <= 1.0e6f)) ||
         ((fabsf(beta_dot) <= FLT_MAX) && !(fabsf(beta_dot) <= 1.0e6f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_alpha = sinf(alpha);
     const float cos_alpha = cosf(alpha);
     const float sin_beta = sinf(beta);

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -23,6 +23,7 @@
 int rr_3ups_jacobian_rate_setup_f64(
     const rr_3ups_params_f64 *p, rr_3ups_jacobian_rate_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double h_0 = p->h_0;
   int status = ARMILLARY_OK;
 
@@ -70,6 +71,7 @@ int rr_3ups_jacobian_rate_setup_f64(
       ctx->a_m_x[leg] = a_m_x;
       ctx->b_c_z[leg] = b_c_z;
     }
+    ctx->ready = 0x61faa689UL;
   }
   return status;
 }
@@ -78,20 +80,23 @@ int rr_3ups_jacobian_rate_step_f64(
     const rr_3ups_jacobian_rate_ctx_f64 *ctx, double alpha, double beta, double alpha_dot,
     double beta_dot, double J_dot[6])
 {
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x61faa689UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0) ||
       !(fabs(alpha_dot) <= 1.0e6) ||
       !(fabs(beta_dot) <= 1.0e6)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0)) ||
         ((fabs(alpha_dot) <= DBL_MAX) && !(fabs(alpha_dot) <= 1.0e6)) ||
         ((fabs(beta_dot) <= DBL_MAX) && !(fabs(beta_dot) <= 1.0e6))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double sin_alpha = sin(alpha);
     const double cos_alpha = cos(alpha);
     const double sin_beta = sin(beta);

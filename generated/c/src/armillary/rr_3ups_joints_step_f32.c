@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -20,6 +20,7 @@
 
 int rr_3ups_joints_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_joints_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float h_0 = p->h_0;
   int status = ARMILLARY_OK;
 
@@ -52,6 +53,7 @@ int rr_3ups_joints_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_joints_ctx_f32
       ctx->m2[leg] = p->r[leg] * t2;
     }
     ctx->h_0 = h_0;
+    ctx->ready = 0xc1afc869UL;
   }
   return status;
 }
@@ -60,16 +62,19 @@ int rr_3ups_joints_step_f32(
     const rr_3ups_joints_ctx_f32 *ctx, float alpha, float beta, float P[9])
 {
   const float h_0 = ctx->h_0;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xc1afc869UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_beta = sinf(beta);
     const float cos_beta = cosf(beta);
     const float sin_alpha = sinf(alpha);

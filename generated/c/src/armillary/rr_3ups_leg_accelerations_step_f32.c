@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -23,6 +23,7 @@
 int rr_3ups_leg_accelerations_setup_f32(
     const rr_3ups_params_f32 *p, rr_3ups_leg_accelerations_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float h_0 = p->h_0;
   int status = ARMILLARY_OK;
 
@@ -70,6 +71,7 @@ int rr_3ups_leg_accelerations_setup_f32(
       ctx->a_m_x[leg] = a_m_x;
       ctx->b_c_z[leg] = b_c_z;
     }
+    ctx->ready = 0x9dbb0ce1UL;
   }
   return status;
 }
@@ -78,7 +80,7 @@ int rr_3ups_leg_accelerations_step_f32(
     const rr_3ups_leg_accelerations_ctx_f32 *ctx, float alpha, float beta, float alpha_dot,
     float beta_dot, float alpha_ddot, float beta_ddot, float q_ddot[3])
 {
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x9dbb0ce1UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f) ||
@@ -86,7 +88,9 @@ int rr_3ups_leg_accelerations_step_f32(
       !(fabsf(beta_dot) <= 1.0e6f) ||
       !(fabsf(alpha_ddot) <= 1.0e6f) ||
       !(fabsf(beta_ddot) <= 1.0e6f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f)) ||
         ((fabsf(alpha_dot) <= FLT_MAX) && !(fabsf(alpha_dot) <= 1.0e6f)) ||
@@ -95,7 +99,8 @@ int rr_3ups_leg_accelerations_step_f32(
         ((fabsf(beta_ddot) <= FLT_MAX) && !(fabsf(beta_ddot) <= 1.0e6f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_alpha = sinf(alpha);
     const float cos_alpha = cosf(alpha);
     const float sin_beta = sinf(beta);

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@
 
 int rr_3ups_leg_lengths_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_leg_lengths_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double h_0 = p->h_0;
   int status = ARMILLARY_OK;
 
@@ -69,6 +70,7 @@ int rr_3ups_leg_lengths_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_leg_lengt
       ctx->a_m_x[leg] = a_m_x;
       ctx->b_c_z[leg] = b_c_z;
     }
+    ctx->ready = 0xbce0b459UL;
   }
   return status;
 }
@@ -76,16 +78,19 @@ int rr_3ups_leg_lengths_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_leg_lengt
 int rr_3ups_leg_lengths_step_f64(
     const rr_3ups_leg_lengths_ctx_f64 *ctx, double alpha, double beta, double q[3])
 {
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xbce0b459UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double sin_beta = sin(beta);
     const double cos_beta = cos(beta);
     const double sin_alpha = sin(alpha);

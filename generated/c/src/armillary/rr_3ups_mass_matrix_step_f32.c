@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -20,6 +20,7 @@
 
 int rr_3ups_mass_matrix_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_mass_matrix_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float I_m_x = p->I_m[0];
   const float I_m_y = p->I_m[1];
   const float I_m_z = p->I_m[2];
@@ -122,6 +123,7 @@ int rr_3ups_mass_matrix_setup_f32(const rr_3ups_params_f32 *p, rr_3ups_mass_matr
     ctx->I_m_y = I_m_y;
     ctx->I_m_z = I_m_z;
     ctx->I_m_x = I_m_x;
+    ctx->ready = 0x0eb6fa3dUL;
   }
   return status;
 }
@@ -132,16 +134,19 @@ int rr_3ups_mass_matrix_step_f32(
   const float I_m_y = ctx->I_m_y;
   const float I_m_z = ctx->I_m_z;
   const float I_m_x = ctx->I_m_x;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x0eb6fa3dUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(alpha) <= FLT_MAX) && !(fabsf(alpha) <= 1000.0f)) ||
         ((fabsf(beta) <= FLT_MAX) && !(fabsf(beta) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float z_m_y = sinf(beta); /* rr_3ups-z_m */
     const float z_m_z = cosf(beta); /* rr_3ups-z_m */
     const float sin_alpha = sinf(alpha);

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@
 
 int rr_3ups_mass_matrix_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_mass_matrix_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double I_m_x = p->I_m[0];
   const double I_m_y = p->I_m[1];
   const double I_m_z = p->I_m[2];
@@ -122,6 +123,7 @@ int rr_3ups_mass_matrix_setup_f64(const rr_3ups_params_f64 *p, rr_3ups_mass_matr
     ctx->I_m_y = I_m_y;
     ctx->I_m_z = I_m_z;
     ctx->I_m_x = I_m_x;
+    ctx->ready = 0x4f41de01UL;
   }
   return status;
 }
@@ -132,16 +134,19 @@ int rr_3ups_mass_matrix_step_f64(
   const double I_m_y = ctx->I_m_y;
   const double I_m_z = ctx->I_m_z;
   const double I_m_x = ctx->I_m_x;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x4f41de01UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double z_m_y = sin(beta); /* rr_3ups-z_m */
     const double z_m_z = cos(beta); /* rr_3ups-z_m */
     const double sin_alpha = sin(alpha);

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -25,6 +25,7 @@
 int rr_3ups_power_two_legs_setup_f64(
     const rr_3ups_params_f64 *p, rr_3ups_power_two_legs_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double I_m_x = p->I_m[0];
   const double I_m_y = p->I_m[1];
   const double I_m_z = p->I_m[2];
@@ -154,6 +155,7 @@ int rr_3ups_power_two_legs_setup_f64(
     ctx->r_sc_z = r_sc_z;
     ctx->m8 = m_m * g;
     ctx->m9 = t1 * t1;
+    ctx->ready = 0xbf463368UL;
   }
   return status;
 }
@@ -180,7 +182,7 @@ int rr_3ups_power_two_legs_step_f64(
   const double r_sc_z = ctx->r_sc_z;
   const double m8 = ctx->m8;
   const double m9 = ctx->m9;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xbf463368UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0) ||
@@ -194,7 +196,9 @@ int rr_3ups_power_two_legs_step_f64(
       !(fabs(n_d_x) <= 1.0e6) ||
       !(fabs(n_d_y) <= 1.0e6) ||
       !(fabs(n_d_z) <= 1.0e6)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(alpha) <= DBL_MAX) && !(fabs(alpha) <= 1000.0)) ||
         ((fabs(beta) <= DBL_MAX) && !(fabs(beta) <= 1000.0)) ||
         ((fabs(alpha_dot) <= DBL_MAX) && !(fabs(alpha_dot) <= 1.0e6)) ||
@@ -209,7 +213,8 @@ int rr_3ups_power_two_legs_step_f64(
         ((fabs(n_d_z) <= DBL_MAX) && !(fabs(n_d_z) <= 1.0e6))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double z_m_y = sin(beta); /* rr_3ups-z_m */
     const double z_m_z = cos(beta); /* rr_3ups-z_m */
     const double sin_alpha = sin(alpha);

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -21,6 +21,7 @@
 int rr_3ups_track_setup_f32(
     const rr_3ups_params_f32 *p, float latitude, rr_3ups_track_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   int status = ARMILLARY_OK;
   (void)p;
 
@@ -34,6 +35,7 @@ int rr_3ups_track_setup_f32(
     const float pole_y = cosf(latitude); /* sun-pole */
     ctx->pole_y = pole_y;
     ctx->pole_z = pole_z;
+    ctx->ready = 0x6ea11972UL;
   }
   return status;
 }
@@ -45,18 +47,21 @@ int rr_3ups_track_step_f32(
 {
   const float pole_y = ctx->pole_y;
   const float pole_z = ctx->pole_z;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x6ea11972UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(declination) <= 1000.0f) ||
       !(fabsf(hour_angle) <= 1000.0f) ||
       !(fabsf(hour_angle_rate) <= 1.0e6f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(declination) <= FLT_MAX) && !(fabsf(declination) <= 1000.0f)) ||
         ((fabsf(hour_angle) <= FLT_MAX) && !(fabsf(hour_angle) <= 1000.0f)) ||
         ((fabsf(hour_angle_rate) <= FLT_MAX) && !(fabsf(hour_angle_rate) <= 1.0e6f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_declination = sinf(declination);
     const float cos_declination = cosf(declination);
     const float sin_hour_angle = sinf(hour_angle);

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x9702794cUL)
+#if !defined(ARMILLARY_RR_3UPS_ABI) || (ARMILLARY_RR_3UPS_ABI != 0x5c971b06UL)
 #error "rr_3ups.h is of another version than this file: copy both from one release"
 #endif
 
@@ -23,6 +23,7 @@
 int rr_3ups_track_setup_f64(
     const rr_3ups_params_f64 *p, double latitude, rr_3ups_track_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   int status = ARMILLARY_OK;
   (void)p;
 
@@ -36,6 +37,7 @@ int rr_3ups_track_setup_f64(
     const double pole_y = cos(latitude); /* sun-pole */
     ctx->pole_y = pole_y;
     ctx->pole_z = pole_z;
+    ctx->ready = 0xf8c62a42UL;
   }
   return status;
 }
@@ -47,18 +49,21 @@ int rr_3ups_track_step_f64(
 {
   const double pole_y = ctx->pole_y;
   const double pole_z = ctx->pole_z;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0xf8c62a42UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(declination) <= 1000.0) ||
       !(fabs(hour_angle) <= 1000.0) ||
       !(fabs(hour_angle_rate) <= 1.0e6)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(declination) <= DBL_MAX) && !(fabs(declination) <= 1000.0)) ||
         ((fabs(hour_angle) <= DBL_MAX) && !(fabs(hour_angle) <= 1000.0)) ||
         ((fabs(hour_angle_rate) <= DBL_MAX) && !(fabs(hour_angle_rate) <= 1.0e6))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double sin_declination = sin(declination);
     const double cos_declination = cos(declination);
     const double sin_hour_angle = sin(hour_angle);

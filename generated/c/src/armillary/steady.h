@@ -3,12 +3,19 @@
  * @file steady.h
  * @brief Steady collector.
  *
- * SI units, radians, right-handed frames; vectors at the boundary are local
- * east-north-up unless stated. Matrices are flat and row-major. Every function returns
- * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written. No pointer may be null. Inputs are read
- * before results are written, so they may overlap. Where an input and a result have one
- * name, the result's argument ends in _out.
+ * SI units, radians, right-handed frames; vectors at the boundary are local east-north-up
+ * unless stated. Matrices are flat and row-major. Every function returns an ARMILLARY status:
+ * 0 is OK, positive means every result is defined and finite, negative means that no result
+ * was written. No pointer may be null. Inputs are read before results are written, so they
+ * may overlap.
+ *
+ * Where an input and a result have one name, the result's argument ends in _out. A letter
+ * that headers of C, Arduino or AVR define as a macro (F, I) is nobody's name here: such a
+ * result ends in _out too, and such an input has a longer name.
+ *
+ * X_setup does what X does with all that the mount holds, once, and leaves it in a ctx;
+ * X_step does the rest, each time. A kernel whose step would cost no less than itself has
+ * neither.
  */
 #ifndef ARMILLARY_STEADY_H
 #define ARMILLARY_STEADY_H
@@ -18,13 +25,13 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_STEADY_ABI 0x6c7efdeeUL
+#define ARMILLARY_STEADY_ABI 0xaf0efea2UL
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/** Parameters of the steady system. */
+/** Parameters of the steady system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** Tilt of the collector, leaning north, rad, refused outside [-1000, 1000], working range
       [-3.2, 3.2]. */
@@ -65,19 +72,26 @@ int steady_normal_f32(const steady_params_f32 *p, float normal[3]);
  * Cost: 14 flops (9 mul, 4 add, 0 div, 1 sqrt), 2 sin/cos, 1 atan2.
  * @param[in] p parameters; not read: L_0, L_1, L_2
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[out] incidence angle between the sun and the collector's normal, in [0, pi], rad
  *     (steady-incidence)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see steady_incidence_setup_f32
+ * @see steady_incidence_step_f32
  */
 int steady_incidence_f32(const steady_params_f32 *p, const float enu[3], float *incidence);
 
 /**
  * @brief What incidence_setup hands to incidence_step: 2 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of incidence_setup and a mark from its end, if it did not
+ *     refuse. Without the mark incidence_step answers ARMILLARY_OUT_OF_RANGE and writes nothing:
+ *     a machine does not go on with a mount that was never told, or that was told wrong.
  * It holds steady-normal.
  */
 typedef struct {
+  volatile unsigned long ready;
   float normal_y;
   float normal_z;
 } steady_incidence_ctx_f32;
@@ -86,10 +100,14 @@ typedef struct {
  * @brief Set-up of incidence: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: L_0, L_1, L_2
- * @param[out] ctx what incidence_step reads; untouched where the status is negative
+ * @param[out] ctx what incidence_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see steady_incidence_f32
+ * @see steady_incidence_step_f32
  */
 int steady_incidence_setup_f32(const steady_params_f32 *p, steady_incidence_ctx_f32 *ctx);
 
@@ -97,19 +115,22 @@ int steady_incidence_setup_f32(const steady_params_f32 *p, steady_incidence_ctx_
  * @brief Step of incidence. Angle between the sun and the collector's normal.
  *
  * Cost: 14 flops (9 mul, 4 add, 0 div, 1 sqrt), 0 sin/cos, 1 atan2.
- * @param[in] ctx what incidence_setup left, its status not negative
+ * @param[in] ctx what incidence_setup left; refused if it is not ready
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[out] incidence angle between the sun and the collector's normal, in [0, pi], rad
  *     (steady-incidence)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see steady_incidence_f32
+ * @see steady_incidence_setup_f32
  */
 int steady_incidence_step_f32(
     const steady_incidence_ctx_f32 *ctx, const float enu[3], float *incidence);
 
 #if DBL_MANT_DIG >= 53
 
-/** Parameters of the steady system. */
+/** Parameters of the steady system, held by the mount unless a field says otherwise. */
 typedef struct {
   /** Tilt of the collector, leaning north, rad, refused outside [-1000, 1000], working range
       [-3.2, 3.2]. */
@@ -150,19 +171,26 @@ int steady_normal_f64(const steady_params_f64 *p, double normal[3]);
  * Cost: 14 flops (9 mul, 4 add, 0 div, 1 sqrt), 2 sin/cos, 1 atan2.
  * @param[in] p parameters; not read: L_0, L_1, L_2
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[out] incidence angle between the sun and the collector's normal, in [0, pi], rad
  *     (steady-incidence)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see steady_incidence_setup_f64
+ * @see steady_incidence_step_f64
  */
 int steady_incidence_f64(const steady_params_f64 *p, const double enu[3], double *incidence);
 
 /**
  * @brief What incidence_setup hands to incidence_step: 2 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of incidence_setup and a mark from its end, if it did not
+ *     refuse. Without the mark incidence_step answers ARMILLARY_OUT_OF_RANGE and writes nothing:
+ *     a machine does not go on with a mount that was never told, or that was told wrong.
  * It holds steady-normal.
  */
 typedef struct {
+  volatile unsigned long ready;
   double normal_y;
   double normal_z;
 } steady_incidence_ctx_f64;
@@ -171,10 +199,14 @@ typedef struct {
  * @brief Set-up of incidence: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] p parameters; not read: L_0, L_1, L_2
- * @param[out] ctx what incidence_step reads; untouched where the status is negative
+ * @param[out] ctx what incidence_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see steady_incidence_f64
+ * @see steady_incidence_step_f64
  */
 int steady_incidence_setup_f64(const steady_params_f64 *p, steady_incidence_ctx_f64 *ctx);
 
@@ -182,12 +214,15 @@ int steady_incidence_setup_f64(const steady_params_f64 *p, steady_incidence_ctx_
  * @brief Step of incidence. Angle between the sun and the collector's normal.
  *
  * Cost: 14 flops (9 mul, 4 add, 0 div, 1 sqrt), 0 sin/cos, 1 atan2.
- * @param[in] ctx what incidence_setup left, its status not negative
+ * @param[in] ctx what incidence_setup left; refused if it is not ready
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
- *     than 1e-3
+ *     than 1e-3; each tick
  * @param[out] incidence angle between the sun and the collector's normal, in [0, pi], rad
  *     (steady-incidence)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see steady_incidence_f64
+ * @see steady_incidence_setup_f64
  */
 int steady_incidence_step_f64(
     const steady_incidence_ctx_f64 *ctx, const double enu[3], double *incidence);

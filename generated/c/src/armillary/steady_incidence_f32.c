@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_STEADY_ABI) || (ARMILLARY_STEADY_ABI != 0x6c7efdeeUL)
+#if !defined(ARMILLARY_STEADY_ABI) || (ARMILLARY_STEADY_ABI != 0xaf0efea2UL)
 #error "steady.h is of another version than this file: copy both from one release"
 #endif
 

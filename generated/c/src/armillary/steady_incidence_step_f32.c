@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_STEADY_ABI) || (ARMILLARY_STEADY_ABI != 0x6c7efdeeUL)
+#if !defined(ARMILLARY_STEADY_ABI) || (ARMILLARY_STEADY_ABI != 0xaf0efea2UL)
 #error "steady.h is of another version than this file: copy both from one release"
 #endif
 
@@ -20,6 +20,7 @@
 
 int steady_incidence_setup_f32(const steady_params_f32 *p, steady_incidence_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   const float tilt = p->tilt;
   int status = ARMILLARY_OK;
 
@@ -33,6 +34,7 @@ int steady_incidence_setup_f32(const steady_params_f32 *p, steady_incidence_ctx_
     const float normal_z = cosf(tilt); /* steady-normal */
     ctx->normal_y = normal_y;
     ctx->normal_z = normal_z;
+    ctx->ready = 0x54a90652UL;
   }
   return status;
 }
@@ -46,20 +48,23 @@ int steady_incidence_step_f32(
   const float normal_y = ctx->normal_y;
   const float normal_z = ctx->normal_z;
   const float enu_excess = ((enu_x * enu_x) + (enu_y * enu_y) + (enu_z * enu_z)) - 1.0f;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x54a90652UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(enu_x) <= 1.001f) ||
       !(fabsf(enu_y) <= 1.001f) ||
       !(fabsf(enu_z) <= 1.001f) ||
       !(fabsf(enu_excess) <= 0.001f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(enu_x) <= FLT_MAX) && !(fabsf(enu_x) <= 1.001f)) ||
         ((fabsf(enu_y) <= FLT_MAX) && !(fabsf(enu_y) <= 1.001f)) ||
         ((fabsf(enu_z) <= FLT_MAX) && !(fabsf(enu_z) <= 1.001f)) ||
         ((fabsf(enu_excess) <= FLT_MAX) && !(fabsf(enu_excess) <= 0.001f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float t1 = (normal_y * enu_z) - (normal_z * enu_y);
     const float t2 = normal_z * enu_x;
     const float t3 = normal_y * enu_x;

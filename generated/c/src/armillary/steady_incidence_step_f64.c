@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_STEADY_ABI) || (ARMILLARY_STEADY_ABI != 0x6c7efdeeUL)
+#if !defined(ARMILLARY_STEADY_ABI) || (ARMILLARY_STEADY_ABI != 0xaf0efea2UL)
 #error "steady.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@
 
 int steady_incidence_setup_f64(const steady_params_f64 *p, steady_incidence_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   const double tilt = p->tilt;
   int status = ARMILLARY_OK;
 
@@ -35,6 +36,7 @@ int steady_incidence_setup_f64(const steady_params_f64 *p, steady_incidence_ctx_
     const double normal_z = cos(tilt); /* steady-normal */
     ctx->normal_y = normal_y;
     ctx->normal_z = normal_z;
+    ctx->ready = 0x107d7156UL;
   }
   return status;
 }
@@ -48,20 +50,23 @@ int steady_incidence_step_f64(
   const double normal_y = ctx->normal_y;
   const double normal_z = ctx->normal_z;
   const double enu_excess = ((enu_x * enu_x) + (enu_y * enu_y) + (enu_z * enu_z)) - 1.0;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x107d7156UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(enu_x) <= 1.001) ||
       !(fabs(enu_y) <= 1.001) ||
       !(fabs(enu_z) <= 1.001) ||
       !(fabs(enu_excess) <= 0.001)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(enu_x) <= DBL_MAX) && !(fabs(enu_x) <= 1.001)) ||
         ((fabs(enu_y) <= DBL_MAX) && !(fabs(enu_y) <= 1.001)) ||
         ((fabs(enu_z) <= DBL_MAX) && !(fabs(enu_z) <= 1.001)) ||
         ((fabs(enu_excess) <= DBL_MAX) && !(fabs(enu_excess) <= 0.001))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double t1 = (normal_y * enu_z) - (normal_z * enu_y);
     const double t2 = normal_z * enu_x;
     const double t3 = normal_y * enu_x;

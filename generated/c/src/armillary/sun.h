@@ -3,12 +3,19 @@
  * @file sun.h
  * @brief The sun.
  *
- * SI units, radians, right-handed frames; vectors at the boundary are local
- * east-north-up unless stated. Matrices are flat and row-major. Every function returns
- * an ARMILLARY status: 0 is OK, positive means every result is defined and finite,
- * negative means that no result was written. No pointer may be null. Inputs are read
- * before results are written, so they may overlap. Where an input and a result have one
- * name, the result's argument ends in _out.
+ * SI units, radians, right-handed frames; vectors at the boundary are local east-north-up
+ * unless stated. Matrices are flat and row-major. Every function returns an ARMILLARY status:
+ * 0 is OK, positive means every result is defined and finite, negative means that no result
+ * was written. No pointer may be null. Inputs are read before results are written, so they
+ * may overlap.
+ *
+ * Where an input and a result have one name, the result's argument ends in _out. A letter
+ * that headers of C, Arduino or AVR define as a macro (F, I) is nobody's name here: such a
+ * result ends in _out too, and such an input has a longer name.
+ *
+ * X_setup does what X does with all that the mount holds, once, and leaves it in a ctx;
+ * X_step does the rest, each time. A kernel whose step would cost no less than itself has
+ * neither.
  */
 #ifndef ARMILLARY_SUN_H
 #define ARMILLARY_SUN_H
@@ -18,7 +25,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_SUN_ABI 0x2aea25c1UL
+#define ARMILLARY_SUN_ABI 0x00863110UL
 
 #ifdef __cplusplus
 extern "C" {
@@ -29,21 +36,28 @@ extern "C" {
  *
  * Cost: 8 flops (6 mul, 2 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] enu unit vector to the sun (sun-enu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see sun_direction_setup_f32
+ * @see sun_direction_step_f32
  */
 int sun_direction_f32(float latitude, float declination, float hour_angle, float enu[3]);
 
 /**
  * @brief What direction_setup hands to direction_step: 2 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of direction_setup and a mark from its end, if it did not
+ *     refuse. Without the mark direction_step answers ARMILLARY_OUT_OF_RANGE and writes nothing:
+ *     a machine does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float cos_latitude;
   float sin_latitude;
 } sun_direction_ctx_f32;
@@ -52,11 +66,15 @@ typedef struct {
  * @brief Set-up of direction: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
- * @param[out] ctx what direction_step reads; untouched where the status is negative
+ *     working range [-1.5708, 1.5708]; held by the mount
+ * @param[out] ctx what direction_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see sun_direction_f32
+ * @see sun_direction_step_f32
  */
 int sun_direction_setup_f32(float latitude, sun_direction_ctx_f32 *ctx);
 
@@ -64,13 +82,16 @@ int sun_direction_setup_f32(float latitude, sun_direction_ctx_f32 *ctx);
  * @brief Step of direction. Unit vector to the sun.
  *
  * Cost: 8 flops (6 mul, 2 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what direction_setup left, its status not negative
+ * @param[in] ctx what direction_setup left; refused if it is not ready
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] enu unit vector to the sun (sun-enu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see sun_direction_f32
+ * @see sun_direction_setup_f32
  */
 int sun_direction_step_f32(
     const sun_direction_ctx_f32 *ctx, float declination, float hour_angle, float enu[3]);
@@ -80,25 +101,32 @@ int sun_direction_step_f32(
  *
  * Cost: 13 flops (8 mul, 4 add, 0 div, 1 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] elevation elevation of the sun above the horizon, without refraction, rad
  *     (sun-elevation_of_sun)
  * @param[out] azimuth azimuth of the sun from north, clockwise, rad (sun-azimuth_of_sun)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: its azimuth is free
+ * @see sun_angles_setup_f32
+ * @see sun_angles_step_f32
  */
 int sun_angles_f32(
     float latitude, float declination, float hour_angle, float *elevation, float *azimuth);
 
 /**
  * @brief What angles_setup hands to angles_step: 2 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of angles_setup and a mark from its end, if it did not refuse.
+ *     Without the mark angles_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float cos_latitude;
   float sin_latitude;
 } sun_angles_ctx_f32;
@@ -107,11 +135,15 @@ typedef struct {
  * @brief Set-up of angles: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
- * @param[out] ctx what angles_step reads; untouched where the status is negative
+ *     working range [-1.5708, 1.5708]; held by the mount
+ * @param[out] ctx what angles_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see sun_angles_f32
+ * @see sun_angles_step_f32
  */
 int sun_angles_setup_f32(float latitude, sun_angles_ctx_f32 *ctx);
 
@@ -119,16 +151,19 @@ int sun_angles_setup_f32(float latitude, sun_angles_ctx_f32 *ctx);
  * @brief Step of angles. Elevation, in [-pi/2, pi/2], and azimuth, in [0, 2 pi), of the sun.
  *
  * Cost: 13 flops (8 mul, 4 add, 0 div, 1 sqrt), 4 sin/cos, 2 atan2.
- * @param[in] ctx what angles_setup left, its status not negative
+ * @param[in] ctx what angles_setup left; refused if it is not ready
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] elevation elevation of the sun above the horizon, without refraction, rad
  *     (sun-elevation_of_sun)
  * @param[out] azimuth azimuth of the sun from north, clockwise, rad (sun-azimuth_of_sun)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: its azimuth is free
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see sun_angles_f32
+ * @see sun_angles_setup_f32
  */
 int sun_angles_step_f32(
     const sun_angles_ctx_f32 *ctx, float declination, float hour_angle, float *elevation,
@@ -139,17 +174,19 @@ int sun_angles_step_f32(
  *
  * Cost: 20 flops (15 mul, 3 add, 1 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] hour_angle_rate rate of the hour angle, rad/s, refused outside [-1e+06, 1e+06],
- *     working range [-1, 1]
+ *     working range [-1, 1]; each tick
  * @param[out] elevation_rate rate of the elevation, rad/s (sun-elevation_rate)
  * @param[out] azimuth_rate rate of the azimuth, rad/s (sun-azimuth_rate)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: its azimuth is free
+ * @see sun_rates_setup_f32
+ * @see sun_rates_step_f32
  */
 int sun_rates_f32(
     float latitude, float declination, float hour_angle, float hour_angle_rate,
@@ -157,9 +194,14 @@ int sun_rates_f32(
 
 /**
  * @brief What rates_setup hands to rates_step: 2 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of rates_setup and a mark from its end, if it did not refuse.
+ *     Without the mark rates_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   float cos_latitude;
   float sin_latitude;
 } sun_rates_ctx_f32;
@@ -168,11 +210,15 @@ typedef struct {
  * @brief Set-up of rates: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
- * @param[out] ctx what rates_step reads; untouched where the status is negative
+ *     working range [-1.5708, 1.5708]; held by the mount
+ * @param[out] ctx what rates_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see sun_rates_f32
+ * @see sun_rates_step_f32
  */
 int sun_rates_setup_f32(float latitude, sun_rates_ctx_f32 *ctx);
 
@@ -180,17 +226,20 @@ int sun_rates_setup_f32(float latitude, sun_rates_ctx_f32 *ctx);
  * @brief Step of rates. Rates of elevation and azimuth while the hour angle runs.
  *
  * Cost: 20 flops (15 mul, 3 add, 1 div, 1 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what rates_setup left, its status not negative
+ * @param[in] ctx what rates_setup left; refused if it is not ready
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] hour_angle_rate rate of the hour angle, rad/s, refused outside [-1e+06, 1e+06],
- *     working range [-1, 1]
+ *     working range [-1, 1]; each tick
  * @param[out] elevation_rate rate of the elevation, rad/s (sun-elevation_rate)
  * @param[out] azimuth_rate rate of the azimuth, rad/s (sun-azimuth_rate)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: its azimuth is free
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see sun_rates_f32
+ * @see sun_rates_setup_f32
  */
 int sun_rates_step_f32(
     const sun_rates_ctx_f32 *ctx, float declination, float hour_angle, float hour_angle_rate,
@@ -201,57 +250,22 @@ int sun_rates_step_f32(
  *
  * Cost: 4 flops (1 mul, 3 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
  * @param[in] utc time of the day, UTC, s, refused outside [-1e+06, 1e+06], working range [0,
- *     86400]
+ *     86400]; each tick
  * @param[in] longitude longitude, positive east, rad, refused outside [-1000, 1000], working
- *     range [-3.2, 3.2]
+ *     range [-3.2, 3.2]; held by the mount
  * @param[in] equation_of_time apparent minus mean solar time, s, refused outside [-1e+06,
- *     1e+06], working range [-1000, 1000]
+ *     1e+06], working range [-1000, 1000]; each day
  * @param[out] hour_angle hour angle from the clock, in [-pi, pi], rad (sun-hour_angle_of_clock)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int sun_hour_angle_f32(float utc, float longitude, float equation_of_time, float *hour_angle);
 
 /**
- * @brief What hour_angle_setup hands to hour_angle_step: 1 number.
- * Its fields may change from version to version.
- */
-typedef struct {
-  float longitude;
-} sun_hour_angle_ctx_f32;
-
-/**
- * @brief Set-up of hour_angle: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] longitude longitude, positive east, rad, refused outside [-1000, 1000], working
- *     range [-3.2, 3.2]
- * @param[out] ctx what hour_angle_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int sun_hour_angle_setup_f32(float longitude, sun_hour_angle_ctx_f32 *ctx);
-
-/**
- * @brief Step of hour_angle. Hour angle of the sun from the clock, in [-pi, pi].
- *
- * Cost: 4 flops (1 mul, 3 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
- * @param[in] ctx what hour_angle_setup left, its status not negative
- * @param[in] utc time of the day, UTC, s, refused outside [-1e+06, 1e+06], working range [0,
- *     86400]
- * @param[in] equation_of_time apparent minus mean solar time, s, refused outside [-1e+06,
- *     1e+06], working range [-1000, 1000]
- * @param[out] hour_angle hour angle from the clock, in [-pi, pi], rad (sun-hour_angle_of_clock)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int sun_hour_angle_step_f32(
-    const sun_hour_angle_ctx_f32 *ctx, float utc, float equation_of_time, float *hour_angle);
-
-/**
  * @brief Declination by Cooper's sine.
  *
  * Cost: 3 flops (2 mul, 1 add, 0 div, 0 sqrt), 1 sin/cos, 0 atan2.
  * @param[in] day day of the year, 1.0 at 1 January 0 h UTC, with its fraction, refused outside
- *     [-1000, 1000], working range [1, 367]
+ *     [-1000, 1000], working range [1, 367]; each day
  * @param[out] declination declination by Cooper's formula, rad (sun-declination_cooper)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -262,7 +276,7 @@ int sun_cooper_f32(float day, float *declination);
  *
  * Cost: 3 flops (2 mul, 1 add, 0 div, 0 sqrt), 1 sin/cos, 0 atan2.
  * @param[in] day day of the year, 1.0 at 1 January 0 h UTC, with its fraction, refused outside
- *     [-1000, 1000], working range [1, 367]
+ *     [-1000, 1000], working range [1, 367]; each day
  * @param[out] declination declination by the cosine formula, rad (sun-declination_cosine)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -273,7 +287,7 @@ int sun_cosine_f32(float day, float *declination);
  *
  * Cost: 31 flops (17 mul, 14 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] day day of the year, 1.0 at 1 January 0 h UTC, with its fraction, refused outside
- *     [-1000, 1000], working range [1, 367]
+ *     [-1000, 1000], working range [1, 367]; each day
  * @param[out] declination declination by Spencer's series, rad (sun-declination_spencer)
  * @param[out] equation_of_time equation of time by Spencer's series, s
  *     (sun-equation_of_time_spencer)
@@ -287,9 +301,9 @@ int sun_spencer_f32(float day, float *declination, float *equation_of_time);
  *
  * Cost: 7 flops (2 mul, 4 add, 0 div, 1 sqrt), 2 sin/cos, 1 atan2.
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[out] rise hour angle of sunrise, rad (sun-sunrise)
  * @param[out] set hour angle of sunset, rad (sun-sunset)
  * @return ARMILLARY_OK, ARMILLARY_BELOW_HORIZON, ARMILLARY_CLAMPED, ARMILLARY_NOT_FINITE,
@@ -300,54 +314,16 @@ int sun_spencer_f32(float day, float *declination, float *equation_of_time);
 int sun_day_limits_f32(float latitude, float declination, float *rise, float *set);
 
 /**
- * @brief What day_limits_setup hands to day_limits_step: 1 number.
- * Its fields may change from version to version.
- */
-typedef struct {
-  float latitude;
-} sun_day_limits_ctx_f32;
-
-/**
- * @brief Set-up of day_limits: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
- * @param[out] ctx what day_limits_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int sun_day_limits_setup_f32(float latitude, sun_day_limits_ctx_f32 *ctx);
-
-/**
- * @brief Step of day_limits. Hour angles of the sun's centre on the unrefracted horizon. The day
- *     runs from rise to set; past the pole rise is the larger, and the day runs through pi.
- *
- * Cost: 7 flops (2 mul, 4 add, 0 div, 1 sqrt), 2 sin/cos, 1 atan2.
- * @param[in] ctx what day_limits_setup left, its status not negative
- * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
- * @param[out] rise hour angle of sunrise, rad (sun-sunrise)
- * @param[out] set hour angle of sunset, rad (sun-sunset)
- * @return ARMILLARY_OK, ARMILLARY_BELOW_HORIZON, ARMILLARY_CLAMPED, ARMILLARY_NOT_FINITE,
- *     ARMILLARY_OUT_OF_RANGE
- *   BELOW_HORIZON: polar night: rise and set are both 0
- *   CLAMPED: polar day: rise is -pi and set is pi
- */
-int sun_day_limits_step_f32(
-    const sun_day_limits_ctx_f32 *ctx, float declination, float *rise, float *set);
-
-/**
  * @brief Elevation as seen through the air. Below -0.0145 rad the sun is left where it is: the
  *     refraction, 0.0108 rad there, ends with a jump.
  *
  * Cost: 9 flops (4 mul, 3 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] elevation elevation of the sun above the horizon, without refraction, rad, refused
- *     outside [-1.6, 1.6], working range [-0.0145, 1.5708]
+ *     outside [-1.6, 1.6], working range [-0.0145, 1.5708]; each tick
  * @param[in] pressure air pressure at the site, Pa, refused outside [0, 1e+06], working range
- *     [50000, 110000]
+ *     [50000, 110000]; each day
  * @param[in] temperature absolute temperature of the air, K, refused outside [100, 1000],
- *     working range [220, 330]
+ *     working range [220, 330]; each day
  * @param[out] elevation_out elevation as seen through the air, rad (sun-elevation_apparent)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -360,21 +336,28 @@ int sun_refraction_f32(float elevation, float pressure, float temperature, float
  *
  * Cost: 8 flops (6 mul, 2 add, 0 div, 0 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] enu unit vector to the sun (sun-enu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see sun_direction_setup_f64
+ * @see sun_direction_step_f64
  */
 int sun_direction_f64(double latitude, double declination, double hour_angle, double enu[3]);
 
 /**
  * @brief What direction_setup hands to direction_step: 2 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of direction_setup and a mark from its end, if it did not
+ *     refuse. Without the mark direction_step answers ARMILLARY_OUT_OF_RANGE and writes nothing:
+ *     a machine does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double cos_latitude;
   double sin_latitude;
 } sun_direction_ctx_f64;
@@ -383,11 +366,15 @@ typedef struct {
  * @brief Set-up of direction: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
- * @param[out] ctx what direction_step reads; untouched where the status is negative
+ *     working range [-1.5708, 1.5708]; held by the mount
+ * @param[out] ctx what direction_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see sun_direction_f64
+ * @see sun_direction_step_f64
  */
 int sun_direction_setup_f64(double latitude, sun_direction_ctx_f64 *ctx);
 
@@ -395,13 +382,16 @@ int sun_direction_setup_f64(double latitude, sun_direction_ctx_f64 *ctx);
  * @brief Step of direction. Unit vector to the sun.
  *
  * Cost: 8 flops (6 mul, 2 add, 0 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what direction_setup left, its status not negative
+ * @param[in] ctx what direction_setup left; refused if it is not ready
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] enu unit vector to the sun (sun-enu)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see sun_direction_f64
+ * @see sun_direction_setup_f64
  */
 int sun_direction_step_f64(
     const sun_direction_ctx_f64 *ctx, double declination, double hour_angle, double enu[3]);
@@ -411,25 +401,32 @@ int sun_direction_step_f64(
  *
  * Cost: 13 flops (8 mul, 4 add, 0 div, 1 sqrt), 6 sin/cos, 2 atan2.
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] elevation elevation of the sun above the horizon, without refraction, rad
  *     (sun-elevation_of_sun)
  * @param[out] azimuth azimuth of the sun from north, clockwise, rad (sun-azimuth_of_sun)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: its azimuth is free
+ * @see sun_angles_setup_f64
+ * @see sun_angles_step_f64
  */
 int sun_angles_f64(
     double latitude, double declination, double hour_angle, double *elevation, double *azimuth);
 
 /**
  * @brief What angles_setup hands to angles_step: 2 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of angles_setup and a mark from its end, if it did not refuse.
+ *     Without the mark angles_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double cos_latitude;
   double sin_latitude;
 } sun_angles_ctx_f64;
@@ -438,11 +435,15 @@ typedef struct {
  * @brief Set-up of angles: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
- * @param[out] ctx what angles_step reads; untouched where the status is negative
+ *     working range [-1.5708, 1.5708]; held by the mount
+ * @param[out] ctx what angles_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see sun_angles_f64
+ * @see sun_angles_step_f64
  */
 int sun_angles_setup_f64(double latitude, sun_angles_ctx_f64 *ctx);
 
@@ -450,16 +451,19 @@ int sun_angles_setup_f64(double latitude, sun_angles_ctx_f64 *ctx);
  * @brief Step of angles. Elevation, in [-pi/2, pi/2], and azimuth, in [0, 2 pi), of the sun.
  *
  * Cost: 13 flops (8 mul, 4 add, 0 div, 1 sqrt), 4 sin/cos, 2 atan2.
- * @param[in] ctx what angles_setup left, its status not negative
+ * @param[in] ctx what angles_setup left; refused if it is not ready
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[out] elevation elevation of the sun above the horizon, without refraction, rad
  *     (sun-elevation_of_sun)
  * @param[out] azimuth azimuth of the sun from north, clockwise, rad (sun-azimuth_of_sun)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: its azimuth is free
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see sun_angles_f64
+ * @see sun_angles_setup_f64
  */
 int sun_angles_step_f64(
     const sun_angles_ctx_f64 *ctx, double declination, double hour_angle, double *elevation,
@@ -470,17 +474,19 @@ int sun_angles_step_f64(
  *
  * Cost: 20 flops (15 mul, 3 add, 1 div, 1 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] hour_angle_rate rate of the hour angle, rad/s, refused outside [-1e+06, 1e+06],
- *     working range [-1, 1]
+ *     working range [-1, 1]; each tick
  * @param[out] elevation_rate rate of the elevation, rad/s (sun-elevation_rate)
  * @param[out] azimuth_rate rate of the azimuth, rad/s (sun-azimuth_rate)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: its azimuth is free
+ * @see sun_rates_setup_f64
+ * @see sun_rates_step_f64
  */
 int sun_rates_f64(
     double latitude, double declination, double hour_angle, double hour_angle_rate,
@@ -488,9 +494,14 @@ int sun_rates_f64(
 
 /**
  * @brief What rates_setup hands to rates_step: 2 numbers.
- * Its fields may change from version to version.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of rates_setup and a mark from its end, if it did not refuse.
+ *     Without the mark rates_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
  */
 typedef struct {
+  volatile unsigned long ready;
   double cos_latitude;
   double sin_latitude;
 } sun_rates_ctx_f64;
@@ -499,11 +510,15 @@ typedef struct {
  * @brief Set-up of rates: all of it that changes with the mount only.
  *
  * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
- * @param[out] ctx what rates_step reads; untouched where the status is negative
+ *     working range [-1.5708, 1.5708]; held by the mount
+ * @param[out] ctx what rates_step reads; not ready where the status is negative, whatever it
+ *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see sun_rates_f64
+ * @see sun_rates_step_f64
  */
 int sun_rates_setup_f64(double latitude, sun_rates_ctx_f64 *ctx);
 
@@ -511,17 +526,20 @@ int sun_rates_setup_f64(double latitude, sun_rates_ctx_f64 *ctx);
  * @brief Step of rates. Rates of elevation and azimuth while the hour angle runs.
  *
  * Cost: 20 flops (15 mul, 3 add, 1 div, 1 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] ctx what rates_setup left, its status not negative
+ * @param[in] ctx what rates_setup left; refused if it is not ready
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[in] hour_angle hour angle of the sun, 0 at apparent noon and positive in the afternoon,
- *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]
+ *     rad, refused outside [-1000, 1000], working range [-3.2, 3.2]; each tick
  * @param[in] hour_angle_rate rate of the hour angle, rad/s, refused outside [-1e+06, 1e+06],
- *     working range [-1, 1]
+ *     working range [-1, 1]; each tick
  * @param[out] elevation_rate rate of the elevation, rad/s (sun-elevation_rate)
  * @param[out] azimuth_rate rate of the azimuth, rad/s (sun-azimuth_rate)
  * @return ARMILLARY_OK, ARMILLARY_SINGULAR, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   SINGULAR: the sun is within 1e-6 of the zenith or the nadir: its azimuth is free
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see sun_rates_f64
+ * @see sun_rates_setup_f64
  */
 int sun_rates_step_f64(
     const sun_rates_ctx_f64 *ctx, double declination, double hour_angle, double hour_angle_rate,
@@ -532,57 +550,22 @@ int sun_rates_step_f64(
  *
  * Cost: 4 flops (1 mul, 3 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
  * @param[in] utc time of the day, UTC, s, refused outside [-1e+06, 1e+06], working range [0,
- *     86400]
+ *     86400]; each tick
  * @param[in] longitude longitude, positive east, rad, refused outside [-1000, 1000], working
- *     range [-3.2, 3.2]
+ *     range [-3.2, 3.2]; held by the mount
  * @param[in] equation_of_time apparent minus mean solar time, s, refused outside [-1e+06,
- *     1e+06], working range [-1000, 1000]
+ *     1e+06], working range [-1000, 1000]; each day
  * @param[out] hour_angle hour angle from the clock, in [-pi, pi], rad (sun-hour_angle_of_clock)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
 int sun_hour_angle_f64(double utc, double longitude, double equation_of_time, double *hour_angle);
 
 /**
- * @brief What hour_angle_setup hands to hour_angle_step: 1 number.
- * Its fields may change from version to version.
- */
-typedef struct {
-  double longitude;
-} sun_hour_angle_ctx_f64;
-
-/**
- * @brief Set-up of hour_angle: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] longitude longitude, positive east, rad, refused outside [-1000, 1000], working
- *     range [-3.2, 3.2]
- * @param[out] ctx what hour_angle_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int sun_hour_angle_setup_f64(double longitude, sun_hour_angle_ctx_f64 *ctx);
-
-/**
- * @brief Step of hour_angle. Hour angle of the sun from the clock, in [-pi, pi].
- *
- * Cost: 4 flops (1 mul, 3 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
- * @param[in] ctx what hour_angle_setup left, its status not negative
- * @param[in] utc time of the day, UTC, s, refused outside [-1e+06, 1e+06], working range [0,
- *     86400]
- * @param[in] equation_of_time apparent minus mean solar time, s, refused outside [-1e+06,
- *     1e+06], working range [-1000, 1000]
- * @param[out] hour_angle hour angle from the clock, in [-pi, pi], rad (sun-hour_angle_of_clock)
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int sun_hour_angle_step_f64(
-    const sun_hour_angle_ctx_f64 *ctx, double utc, double equation_of_time, double *hour_angle);
-
-/**
  * @brief Declination by Cooper's sine.
  *
  * Cost: 3 flops (2 mul, 1 add, 0 div, 0 sqrt), 1 sin/cos, 0 atan2.
  * @param[in] day day of the year, 1.0 at 1 January 0 h UTC, with its fraction, refused outside
- *     [-1000, 1000], working range [1, 367]
+ *     [-1000, 1000], working range [1, 367]; each day
  * @param[out] declination declination by Cooper's formula, rad (sun-declination_cooper)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -593,7 +576,7 @@ int sun_cooper_f64(double day, double *declination);
  *
  * Cost: 3 flops (2 mul, 1 add, 0 div, 0 sqrt), 1 sin/cos, 0 atan2.
  * @param[in] day day of the year, 1.0 at 1 January 0 h UTC, with its fraction, refused outside
- *     [-1000, 1000], working range [1, 367]
+ *     [-1000, 1000], working range [1, 367]; each day
  * @param[out] declination declination by the cosine formula, rad (sun-declination_cosine)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */
@@ -604,7 +587,7 @@ int sun_cosine_f64(double day, double *declination);
  *
  * Cost: 31 flops (17 mul, 14 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] day day of the year, 1.0 at 1 January 0 h UTC, with its fraction, refused outside
- *     [-1000, 1000], working range [1, 367]
+ *     [-1000, 1000], working range [1, 367]; each day
  * @param[out] declination declination by Spencer's series, rad (sun-declination_spencer)
  * @param[out] equation_of_time equation of time by Spencer's series, s
  *     (sun-equation_of_time_spencer)
@@ -618,9 +601,9 @@ int sun_spencer_f64(double day, double *declination, double *equation_of_time);
  *
  * Cost: 7 flops (2 mul, 4 add, 0 div, 1 sqrt), 2 sin/cos, 1 atan2.
  * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
+ *     working range [-1.5708, 1.5708]; held by the mount
  * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
+ *     1000], working range [-0.4102, 0.4102]; each day
  * @param[out] rise hour angle of sunrise, rad (sun-sunrise)
  * @param[out] set hour angle of sunset, rad (sun-sunset)
  * @return ARMILLARY_OK, ARMILLARY_BELOW_HORIZON, ARMILLARY_CLAMPED, ARMILLARY_NOT_FINITE,
@@ -631,54 +614,16 @@ int sun_spencer_f64(double day, double *declination, double *equation_of_time);
 int sun_day_limits_f64(double latitude, double declination, double *rise, double *set);
 
 /**
- * @brief What day_limits_setup hands to day_limits_step: 1 number.
- * Its fields may change from version to version.
- */
-typedef struct {
-  double latitude;
-} sun_day_limits_ctx_f64;
-
-/**
- * @brief Set-up of day_limits: all of it that changes with the mount only.
- *
- * Cost: 0 flops (0 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
- * Run it again when a parameter or an argument here has changed.
- * @param[in] latitude geodetic latitude, positive north, rad, refused outside [-1000, 1000],
- *     working range [-1.5708, 1.5708]
- * @param[out] ctx what day_limits_step reads; untouched where the status is negative
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- */
-int sun_day_limits_setup_f64(double latitude, sun_day_limits_ctx_f64 *ctx);
-
-/**
- * @brief Step of day_limits. Hour angles of the sun's centre on the unrefracted horizon. The day
- *     runs from rise to set; past the pole rise is the larger, and the day runs through pi.
- *
- * Cost: 7 flops (2 mul, 4 add, 0 div, 1 sqrt), 2 sin/cos, 1 atan2.
- * @param[in] ctx what day_limits_setup left, its status not negative
- * @param[in] declination declination of the sun, positive north, rad, refused outside [-1000,
- *     1000], working range [-0.4102, 0.4102]
- * @param[out] rise hour angle of sunrise, rad (sun-sunrise)
- * @param[out] set hour angle of sunset, rad (sun-sunset)
- * @return ARMILLARY_OK, ARMILLARY_BELOW_HORIZON, ARMILLARY_CLAMPED, ARMILLARY_NOT_FINITE,
- *     ARMILLARY_OUT_OF_RANGE
- *   BELOW_HORIZON: polar night: rise and set are both 0
- *   CLAMPED: polar day: rise is -pi and set is pi
- */
-int sun_day_limits_step_f64(
-    const sun_day_limits_ctx_f64 *ctx, double declination, double *rise, double *set);
-
-/**
  * @brief Elevation as seen through the air. Below -0.0145 rad the sun is left where it is: the
  *     refraction, 0.0108 rad there, ends with a jump.
  *
  * Cost: 9 flops (4 mul, 3 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] elevation elevation of the sun above the horizon, without refraction, rad, refused
- *     outside [-1.6, 1.6], working range [-0.0145, 1.5708]
+ *     outside [-1.6, 1.6], working range [-0.0145, 1.5708]; each tick
  * @param[in] pressure air pressure at the site, Pa, refused outside [0, 1e+06], working range
- *     [50000, 110000]
+ *     [50000, 110000]; each day
  * @param[in] temperature absolute temperature of the air, K, refused outside [100, 1000],
- *     working range [220, 330]
+ *     working range [220, 330]; each day
  * @param[out] elevation_out elevation as seen through the air, rad (sun-elevation_apparent)
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  */

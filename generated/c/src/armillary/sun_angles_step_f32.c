@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_SUN_ABI) || (ARMILLARY_SUN_ABI != 0x2aea25c1UL)
+#if !defined(ARMILLARY_SUN_ABI) || (ARMILLARY_SUN_ABI != 0x00863110UL)
 #error "sun.h is of another version than this file: copy both from one release"
 #endif
 
@@ -20,6 +20,7 @@
 
 int sun_angles_setup_f32(float latitude, sun_angles_ctx_f32 *ctx)
 {
+  ctx->ready = 0;
   int status = ARMILLARY_OK;
 
   if (!(fabsf(latitude) <= 1000.0f)) {
@@ -32,6 +33,7 @@ int sun_angles_setup_f32(float latitude, sun_angles_ctx_f32 *ctx)
     const float cos_latitude = cosf(latitude);
     ctx->cos_latitude = cos_latitude;
     ctx->sin_latitude = sin_latitude;
+    ctx->ready = 0x3fa6b954UL;
   }
   return status;
 }
@@ -42,16 +44,19 @@ int sun_angles_step_f32(
 {
   const float cos_latitude = ctx->cos_latitude;
   const float sin_latitude = ctx->sin_latitude;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x3fa6b954UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(declination) <= 1000.0f) ||
       !(fabsf(hour_angle) <= 1000.0f)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabsf(declination) <= FLT_MAX) && !(fabsf(declination) <= 1000.0f)) ||
         ((fabsf(hour_angle) <= FLT_MAX) && !(fabsf(hour_angle) <= 1000.0f))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const float sin_declination = sinf(declination);
     const float cos_declination = cosf(declination);
     const float sin_hour_angle = sinf(hour_angle);

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_SUN_ABI) || (ARMILLARY_SUN_ABI != 0x2aea25c1UL)
+#if !defined(ARMILLARY_SUN_ABI) || (ARMILLARY_SUN_ABI != 0x00863110UL)
 #error "sun.h is of another version than this file: copy both from one release"
 #endif
 
@@ -22,6 +22,7 @@
 
 int sun_rates_setup_f64(double latitude, sun_rates_ctx_f64 *ctx)
 {
+  ctx->ready = 0;
   int status = ARMILLARY_OK;
 
   if (!(fabs(latitude) <= 1000.0)) {
@@ -34,6 +35,7 @@ int sun_rates_setup_f64(double latitude, sun_rates_ctx_f64 *ctx)
     const double cos_latitude = cos(latitude);
     ctx->cos_latitude = cos_latitude;
     ctx->sin_latitude = sin_latitude;
+    ctx->ready = 0x5c9c24baUL;
   }
   return status;
 }
@@ -44,18 +46,21 @@ int sun_rates_step_f64(
 {
   const double cos_latitude = ctx->cos_latitude;
   const double sin_latitude = ctx->sin_latitude;
-  int status = ARMILLARY_OK;
+  int status = (ctx->ready == 0x5c9c24baUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(declination) <= 1000.0) ||
       !(fabs(hour_angle) <= 1000.0) ||
       !(fabs(hour_angle_rate) <= 1.0e6)) {
-    status = ARMILLARY_NOT_FINITE;
+    if (status == ARMILLARY_OK) {
+      status = ARMILLARY_NOT_FINITE;
+    }
     if (((fabs(declination) <= DBL_MAX) && !(fabs(declination) <= 1000.0)) ||
         ((fabs(hour_angle) <= DBL_MAX) && !(fabs(hour_angle) <= 1000.0)) ||
         ((fabs(hour_angle_rate) <= DBL_MAX) && !(fabs(hour_angle_rate) <= 1.0e6))) {
       status = ARMILLARY_OUT_OF_RANGE;
     }
-  } else {
+  }
+  if (status == ARMILLARY_OK) {
     const double sin_declination = sin(declination);
     const double cos_declination = cos(declination);
     const double sin_hour_angle = sin(hour_angle);

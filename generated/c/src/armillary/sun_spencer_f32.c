@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_SUN_ABI) || (ARMILLARY_SUN_ABI != 0x2aea25c1UL)
+#if !defined(ARMILLARY_SUN_ABI) || (ARMILLARY_SUN_ABI != 0x00863110UL)
 #error "sun.h is of another version than this file: copy both from one release"
 #endif
 
