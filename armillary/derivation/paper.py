@@ -29,6 +29,7 @@ from armillary.derivation.printed import (
     Unchecked,
     Word,
 )
+from armillary.derivation.printed_units import InUnit, factors_of
 from armillary.derivation.quantity import AnyQuantity, Constant, ConstantTable, Quantity
 from armillary.derivation.ranges import Between, Extremes, Figure, Hanging, LeastMoved
 from armillary.derivation.record import Derivation
@@ -284,6 +285,12 @@ class Paper(Derivation):
                 f"{key!r} names {len(angles)} angles of three turns", "name all three", source
             )
         self._state(Spans(key, quote, turns, tuple(angles), source))
+
+    def in_unit(self, key: str, quote: str, value: s.Scalar | v.Vector | Matrix, unit: str) -> None:
+        """A row of the nomenclature: the unit, as it is written there, of what a symbol means."""
+        source = caller()
+        self._check(key, value, source)
+        self._state(InUnit(key, quote, value, factors_of(unit, source), source))
 
     def unchecked(self, key: str, words: str, reason: str) -> None:
         """A numbered equation that only names things; `reason` says why none can refute it."""

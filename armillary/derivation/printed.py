@@ -9,6 +9,7 @@ from armillary.algebra import vector as v
 from armillary.algebra.rigid import Matrix
 from armillary.algebra.rotation import Rotation
 from armillary.derivation.errors import Source
+from armillary.derivation.printed_units import InUnit
 from armillary.derivation.quantity import Quantity
 from armillary.derivation.ranges import Between, Extremes, Hanging, LeastMoved
 from armillary.derivation.statements import Block
@@ -134,6 +135,7 @@ Printed = (
     | Between
     | Extremes
     | Hanging
+    | InUnit
     | LeastMoved
     | Spans
     | Unchecked

@@ -67,7 +67,10 @@ class Facts:
     per: Index | None = None
 
 
-RateMaker = Callable[["Quantity | VectorQuantity", str | None, str | None], "Symbol | VectorSymbol"]
+Box = tuple[float, float] | None
+RateMaker = Callable[
+    ["Quantity | VectorQuantity", str | None, str | None, Box, Box], "Symbol | VectorSymbol"
+]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -95,10 +98,22 @@ class Quantity(Symbol):
         """The names that its components have in printed code, row-major."""
         return _numbered(self.name, self.per)
 
-    def rate(self, name: str | None = None, meaning: str | None = None) -> Symbol:
-        """The time derivative as a quantity of its own, `<name>_dot` unless named."""
+    def rate(
+        self,
+        name: str | None = None,
+        meaning: str | None = None,
+        *,
+        limits: Box = None,
+        range: Box = None,
+    ) -> Symbol:
+        """The time derivative as a quantity of its own, `<name>_dot` unless named.
+
+        Args:
+            limits: it is refused beyond; the wide box of its unit, if not given.
+            range: where it works; what is usual for its unit, if not given.
+        """
         if "rate" not in self.known_rate:
-            made = self.make_rate(self, name, meaning)
+            made = self.make_rate(self, name, meaning, limits, range)
             assert isinstance(made, Symbol)
             self.known_rate["rate"] = made
         _must_be_the_same(self.name, self.known_rate["rate"], name, meaning)
@@ -142,10 +157,22 @@ class VectorQuantity(VectorSymbol):
     def unit_norm(self) -> bool:
         return self.facts.kind is Kind.UNIT_VECTOR
 
-    def rate(self, name: str | None = None, meaning: str | None = None) -> VectorSymbol:
-        """The time derivative as a quantity of its own, `<name>_dot` unless named."""
+    def rate(
+        self,
+        name: str | None = None,
+        meaning: str | None = None,
+        *,
+        limits: Box = None,
+        range: Box = None,
+    ) -> VectorSymbol:
+        """The time derivative as a quantity of its own, `<name>_dot` unless named.
+
+        Args:
+            limits: it is refused beyond; the wide box of its unit, if not given.
+            range: where it works; what is usual for its unit, if not given.
+        """
         if "rate" not in self.known_rate:
-            made = self.make_rate(self, name, meaning)
+            made = self.make_rate(self, name, meaning, limits, range)
             assert isinstance(made, VectorSymbol)
             self.known_rate["rate"] = made
         _must_be_the_same(self.name, self.known_rate["rate"], name, meaning)

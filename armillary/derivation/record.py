@@ -39,6 +39,7 @@ from armillary.derivation.naming import latex_name, named, rate_latex
 from armillary.derivation.quantities import Quantities
 from armillary.derivation.quantity import (
     AnyQuantity,
+    Box,
     Constant,
     ConstantTable,
     Facts,
@@ -360,14 +361,14 @@ class Derivation(Quantities):
         return quantity
 
     def _make_rate(
-        self, of: AnyQuantity, name: str | None, meaning: str | None
+        self, of: AnyQuantity, name: str | None, meaning: str | None, limits: Box, range: Box
     ) -> Quantity | VectorQuantity:
         name = name or f"{of.name}_dot"
         meaning = meaning or f"rate of {of.name}"
         unit, latex = of.unit / SECOND, rate_latex(of.facts.latex)
-        if isinstance(of, VectorQuantity):
-            return self.vector(name, meaning, unit=unit, latex=latex, rate=Rate.TICK)
-        return self.scalar(name, meaning, unit=unit, latex=latex, rate=Rate.TICK)
+        make = self.vector if isinstance(of, VectorQuantity) else self.scalar
+        facts = {"unit": unit, "latex": latex, "limits": limits, "range": range}
+        return make(name, meaning, rate=Rate.TICK, **facts)  # type: ignore[arg-type]
 
 
 class Used:

@@ -33,7 +33,7 @@ PAPERS = "papers"  # folder of the pages
 MEANINGS = {
     Verdict.HOLDS: "equal to what is derived, for all values",
     Verdict.ORDER: "equal up to products of more small quantities than the number says",
-    Verdict.MISPRINT: "a small change makes it hold: another function, index, symbol, axis "
+    Verdict.MISPRINT: "a small change makes it hold: another function, index, symbol, unit, axis "
     "or word, a lost dot, a term or factor dropped or doubled, rows and columns exchanged, an "
     "entry printed twice",
     Verdict.SIGN: "the smallest change that makes it hold is a sign",
@@ -45,7 +45,7 @@ MEANINGS = {
 # The least first: what a reader of the overview should see.
 _TELLING = (Verdict.WRONG, Verdict.MISPRINT, Verdict.SIGN, Verdict.AMBIGUOUS, Verdict.ORDER)
 _SHOWN = 7
-_BARS = 4
+_BARS = 5
 
 
 @dataclass(frozen=True)

@@ -182,7 +182,7 @@ class Bars:
     def __post_init__(self) -> None:
         _axes(self, "up")
         _tuples(self, "groups", "series")
-        check_several(self.series, "series", 4)
+        check_several(self.series, "series", 5)
         for series in self.series:
             check_count(series.name, series.values, len(self.groups), "groups")
             _fit(self, [], series.values, f"the series {series.name!r}")

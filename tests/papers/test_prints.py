@@ -19,12 +19,14 @@ NUMBERS = {
         "15", "16", "17", "18", "19", "20",
     ],
     "mo2023": [str(k) for k in range(1, 40)],
+    "salgado2014": ["1", "2", "3"],
     "yu": [str(k) for k in range(1, 37)],
 }  # fmt: skip
 NAMES_ONLY = {
     "ky": {"04", "07"},
     "musabekov2018": {"1", "2", "4"},
     "mo2023": {"10", "12", "19", "36", "39", "steady error"},
+    "salgado2014": {"3", "unit d_rec", "no row"},
     "yu": {"21", "table: rows", "Fig. 7", "mechanical power", "Fig. 8", "62.1 kJ"},
 }
 # Prints that something decides which is not printed.
@@ -318,6 +320,7 @@ HOLD = {
         "1", "2", "4", "5", "6", "7", "9", "11", "11'", "16'", "16''", "18", "20", "21", "22",
         "23'''", "28", "29", "31", "33", "37", "14, 15 from (13)", "morning", "two sections",
     ],
+    "salgado2014": ["incidence", "principle", "imbalance", "1", "unit F_1", "unit theta"],
     "yu": [
         "1", "2", "3", "4", "6", "7", "8", "8'", "9", "10'", "11", "13", "15", "18'", "rotations",
         "x axis", "y axis",

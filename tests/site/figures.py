@@ -84,6 +84,13 @@ def bars() -> Bars:
     )
 
 
+def fillings() -> Bars:
+    """As many series as bars can tell apart."""
+    names = ("solid", "hollow", "hatched", "both ways", "level")
+    series = [Series(name, [k + 1, 12 - k]) for k, name in enumerate(names)]
+    return Bars("How bars differ.", "verdict", "prints", ["few", "many"], series)
+
+
 def histogram() -> Histogram:
     """Two shares over cells."""
     edges = [k / 2 for k in range(9)]
@@ -141,5 +148,5 @@ def skies() -> Panels:
 
 ALL = {
     made.__name__: made
-    for made in (line, powers, scatter, bars, histogram, sky, heat, panels, skies)
+    for made in (line, powers, scatter, bars, fillings, histogram, sky, heat, panels, skies)
 }

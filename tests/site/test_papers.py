@@ -361,6 +361,7 @@ p.between("low", "never less", pull, -1, None, words="the pull")
 p.extremes("ends", "from ... to", pull, -1, 1, to="0.1", words="the pull")
 p.extremes("top", "at most", pull, None, 1, to="0.1", words="the pull")
 p.least_moved("still", "stay 2 moves least", pull, over=stay, part=1, words="the pull")
+p.in_unit("unit", "arm [m²/s]", arm, "m^2/s")
 p.equation("one", words="the first pull", claims=sin(tilt), printed=at(pull, stay, 0))
 """
 
@@ -374,6 +375,7 @@ def test_sentences_on_what_a_value_takes(root):
     for wanted in (
         r"-1 \le P_{i}", r"\min P_{i} = -1", r"\max P_{i} = 1",
         r"\min_{i} \left(\max P_{i} - \min P_{i}\right)\text{ at } i = 2",
+        r"\left[\text{arm}\right] = \mathrm{m}^{2}/\mathrm{s}",
     ):  # fmt: skip
         assert wanted in formulas, wanted
     assert formulas.count(r"\min P_{i} = -1") == 1  # the sentence on the largest names no least

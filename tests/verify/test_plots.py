@@ -86,9 +86,9 @@ WRONG = {
         lambda: Bars("c", "x", "y", ["g", "h"], [Series("s", [1])]),
         "s: 1 for 2 groups",
     ),
-    "five series": (
-        lambda: Bars("c", "x", "y", ["g"], [Series(str(k), [1]) for k in range(5)]),
-        "a plot of 5 series\n  mend: give one to 4",
+    "six series": (
+        lambda: Bars("c", "x", "y", ["g"], [Series(str(k), [1]) for k in range(6)]),
+        "a plot of 6 series\n  mend: give one to 5",
     ),
     "edges that fall": (
         lambda: Histogram("c", "x", "y", [0, 2, 1], [Series("s", [1, 1])]),

@@ -57,13 +57,16 @@ def _number(value: float, digits: int) -> str:
 
 
 def _bar(drawing: Drawing, a: Point2, b: Point2, k: int) -> None:
-    """A bar between two corners: solid, hollow, hatched one way, or both ways."""
+    """A bar between two corners: solid, hollow, hatched one way, both ways, or level."""
     (left, top), (right, low) = (a[0], min(a[1], b[1])), (b[0], max(a[1], b[1]))
     box = [(left, top), (right, top), (right, low), (left, low)]
     drawing.path(box, f"bar-{k}", closed=True)
     for falling in {3: (False,), 4: (False, True)}.get(k, ()):
         for start, end in _hatch(left, top, right, low, falling):
             drawing.line(start, end, f"hatch-{k}")
+    if k == 5:
+        for step in range(1, int((low - top) / _HATCH) + 1):
+            drawing.line((left, low - step * _HATCH), (right, low - step * _HATCH), f"hatch-{k}")
 
 
 def _hatch(

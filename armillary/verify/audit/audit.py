@@ -15,9 +15,11 @@ from armillary.derivation.paper import (
     Unchecked,
     Word,
 )
+from armillary.derivation.printed_units import InUnit
 from armillary.derivation.ranges import Between, Extremes, Hanging, LeastMoved
 from armillary.verify.audit import ranges, sentences, unprinted, words
 from armillary.verify.audit.claims import claimed
+from armillary.verify.audit.nomenclature import in_unit
 from armillary.verify.audit.reading import read
 from armillary.verify.audit.verdict import Finding, Verdict
 
@@ -51,6 +53,8 @@ def finding(paper: Paper, printed: Printed, latex: Callable[[Any], str] | None =
         return ranges.least_moved(paper, printed)
     if isinstance(printed, Spans):
         return sentences.spans(paper, printed)
+    if isinstance(printed, InUnit):
+        return in_unit(paper, printed)
     assert isinstance(printed, Unchecked)
     return Finding(
         paper.name, printed.key, Verdict.NOT_CHECKABLE, None, printed.words, "", printed.reason

@@ -24,7 +24,7 @@ class Repair:
 
     Attributes:
         kind: "sign", "function", "index", "lost dot", "dot too many", "lost d", "term",
-            "lost term", "factor", "number", "axis", "half turn", "transposition",
+            "lost term", "factor", "number", "unit", "axis", "half turn", "transposition",
             "order of factors", "copy", "frame", "definition", "special value" or "word"; several
             at once are joined by "and".
         words: the change in words, from what is printed to what holds: "sin for cos of omega".
