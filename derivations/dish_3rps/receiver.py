@@ -1,6 +1,19 @@
 """Where the sunlight goes: past the focus by a little, or into it with other normals."""
 
-from armillary import Y, Z, absolute, atan2, elementary, number, solve, substitute, vector
+from armillary import (
+    Y,
+    Z,
+    absolute,
+    atan2,
+    elementary,
+    number,
+    one_like,
+    solve,
+    sqrt,
+    substitute,
+    vector,
+    where,
+)
 
 from .dish import c_dish
 from .facet import D_P, M_P, from_base, half_turn, n_P, off_P, psi, z_M
@@ -63,6 +76,7 @@ miss_angle = d.define(
 
 # ---- with normals that halve the angle between sun and receiver ----
 
+
 way_q = d.define(
     "way_q",
     focus - M_q,
@@ -77,16 +91,25 @@ m = d.define(
     meaning="a vector along the bisector of the directions to sun and receiver, {P}",
     latex=r"\mathbf{m}",
 )
+_square = m.dot(m)
+length_m = d.define(
+    "length_m",
+    sqrt(where(_square > 0, _square, one_like(_square))),
+    because="The search divides by it. Where sun and receiver are opposite, m is null, and any "
+    "length serves: the search goes on from elsewhere.",
+    meaning="length of m",
+    latex=r"|\mathbf{m}|",
+)
 off_x = d.define(
     "off_x",
-    q_x * (m.norm() + m.z) - m.x,
+    q_x * (length_m + m.z) - m.x,
     because="The half tilt of m is m_x / (|m| + m_z), and so for y.",
     meaning="what vanishes where the normal is the bisector, x",
     latex=r"\Delta_x",
 )
 off_y = d.define(
     "off_y",
-    q_y * (m.norm() + m.z) - m.y,
+    q_y * (length_m + m.z) - m.y,
     because="The half tilt of m is m_x / (|m| + m_z), and so for y.",
     meaning="what vanishes where the normal is the bisector, y",
     latex=r"\Delta_y",
@@ -106,7 +129,7 @@ found = (
 _at = dict(zip((q_x, q_y, q_z), found, strict=True))
 m_size = d.define(
     "m_size",
-    substitute(m.norm(), _at),
+    substitute(length_m, _at),
     because="What is left is measured against it.",
     meaning="length of m where the search has ended",
     latex=r"m^{\ast}",

@@ -160,7 +160,6 @@ d.kernel(
     cases=[
         *WATER,
         FREE,
-        (Status.UNREACHABLE, unfit, "the errors at which the pump starts and stops contradict"),
         (Status.UNREACHABLE, outrun, "the sun outruns the pump"),
         (Status.SINGULAR, no_cycle, "a sun that stands still starts no pump"),
     ],

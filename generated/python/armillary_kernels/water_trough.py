@@ -2327,7 +2327,6 @@ def cycle(*, s, theta_dot_ref, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_
         status -3 (UNREACHABLE): a container would overflow, or hold less than nothing
         status 5 (LIMIT): a container is empty: its pump draws air
         status 2 (SINGULAR): the mass centre lies on the axis, within 1e-6 m: any angle is a rest
-        status -3 (UNREACHABLE): the errors at which the pump starts and stops contradict
         status -3 (UNREACHABLE): the sun outruns the pump
         status 2 (SINGULAR): a sun that stands still starts no pump
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
@@ -2417,12 +2416,10 @@ def cycle(*, s, theta_dot_ref, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_
     t41 = 0.0 < h_2
     t42 = xp.logical_and(t40, t41)
     dry = xp.logical_not(t42)
-    unfit = band_on < xp.abs(band_off)
     call.case(2, indifferent)  # SINGULAR
     call.case(2, no_cycle)  # SINGULAR
     call.case(5, dry)  # LIMIT
     call.case(-3, spilt)  # UNREACHABLE
-    call.case(-3, unfit)  # UNREACHABLE
     call.case(-3, outrun)  # UNREACHABLE
     return CycleResult(
         t_on=call.array((), (t_on,)),

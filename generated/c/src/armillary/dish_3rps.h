@@ -25,7 +25,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_DISH_3RPS_ABI 0x034259ccUL
+#define ARMILLARY_DISH_3RPS_ABI 0x0f845798UL
 
 #ifdef __cplusplus
 extern "C" {
@@ -1459,7 +1459,7 @@ int dish_3rps_central_ray_step_f32(
  * @brief Rotation, point and rods of a facet whose normal halves the angle between sun and
  *     receiver, by five steps of Newton's method.
  *
- * Cost: 734 flops (417 mul, 276 add, 25 div, 16 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 749 flops (432 mul, 276 add, 25 div, 16 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
@@ -1529,7 +1529,7 @@ int dish_3rps_aim_at_receiver_setup_f32(
  * @brief Step of aim_at_receiver. Rotation, point and rods of a facet whose normal halves the
  *     angle between sun and receiver, by five steps of Newton's method.
  *
- * Cost: 721 flops (408 mul, 275 add, 23 div, 15 sqrt), 4 sin/cos, 0 atan2.
+ * Cost: 736 flops (423 mul, 275 add, 23 div, 15 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] ctx what aim_at_receiver_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
@@ -3036,7 +3036,7 @@ int dish_3rps_central_ray_step_f64(
  * @brief Rotation, point and rods of a facet whose normal halves the angle between sun and
  *     receiver, by five steps of Newton's method.
  *
- * Cost: 734 flops (417 mul, 276 add, 25 div, 16 sqrt), 6 sin/cos, 0 atan2.
+ * Cost: 749 flops (432 mul, 276 add, 25 div, 16 sqrt), 6 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: K_P, K_I, K_D, T_D, T_S, F_max, K_V, F_C, v_C
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick
@@ -3106,7 +3106,7 @@ int dish_3rps_aim_at_receiver_setup_f64(
  * @brief Step of aim_at_receiver. Rotation, point and rods of a facet whose normal halves the
  *     angle between sun and receiver, by five steps of Newton's method.
  *
- * Cost: 721 flops (408 mul, 275 add, 23 div, 15 sqrt), 4 sin/cos, 0 atan2.
+ * Cost: 736 flops (423 mul, 275 add, 23 div, 15 sqrt), 4 sin/cos, 0 atan2.
  * @param[in] ctx what aim_at_receiver_setup left; refused if it is not ready
  * @param[in] alpha azimuth of the dish's axis from the east, counter-clockwise, rad, refused
  *     outside [-1000, 1000], working range [-3.2, 3.2]; each tick

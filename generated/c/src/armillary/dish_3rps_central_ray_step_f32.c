@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -56,7 +56,7 @@ int dish_3rps_central_ray_setup_f32(
     ctx->m3 = t4;
     ctx->z_O = z_O;
     ctx->f = f;
-    ctx->ready = 0x9ffa3292UL;
+    ctx->ready = 0xee5e2c4cUL;
   }
   return status;
 }
@@ -73,7 +73,7 @@ int dish_3rps_central_ray_step_f32(
   const float m3 = ctx->m3;
   const float z_O = ctx->z_O;
   const float f = ctx->f;
-  int status = (ctx->ready == 0x9ffa3292UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xee5e2c4cUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {

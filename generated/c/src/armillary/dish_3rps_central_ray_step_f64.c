@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -58,7 +58,7 @@ int dish_3rps_central_ray_setup_f64(
     ctx->m3 = t4;
     ctx->z_O = z_O;
     ctx->f = f;
-    ctx->ready = 0x161e6600UL;
+    ctx->ready = 0x1891e0aaUL;
   }
   return status;
 }
@@ -75,7 +75,7 @@ int dish_3rps_central_ray_step_f64(
   const double m3 = ctx->m3;
   const double z_O = ctx->z_O;
   const double f = ctx->f;
-  int status = (ctx->ready == 0x161e6600UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x1891e0aaUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {

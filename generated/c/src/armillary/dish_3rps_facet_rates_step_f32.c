@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -56,7 +56,7 @@ int dish_3rps_facet_rates_setup_f32(
     ctx->m4 = t4;
     ctx->cos_phi = cos_phi;
     ctx->sin_phi = sin_phi;
-    ctx->ready = 0xe03d43e9UL;
+    ctx->ready = 0xdc9e964fUL;
   }
   return status;
 }
@@ -74,7 +74,7 @@ int dish_3rps_facet_rates_step_f32(
   const float m4 = ctx->m4;
   const float cos_phi = ctx->cos_phi;
   const float sin_phi = ctx->sin_phi;
-  int status = (ctx->ready == 0xe03d43e9UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xdc9e964fUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f) ||

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -62,7 +62,7 @@ int dish_3rps_facet_setup_f32(const dish_3rps_params_f32 *p, dish_3rps_facet_ctx
     ctx->z_O = z_O;
     ctx->H_T_P_p_x = H_T_P_p_x;
     ctx->H_T_P_p_y = H_T_P_p_y;
-    ctx->ready = 0x5c322e4dUL;
+    ctx->ready = 0x9b4a9b7bUL;
   }
   return status;
 }
@@ -81,7 +81,7 @@ int dish_3rps_facet_step_f32(
   const float z_O = ctx->z_O;
   const float H_T_P_p_x = ctx->H_T_P_p_x;
   const float H_T_P_p_y = ctx->H_T_P_p_y;
-  int status = (ctx->ready == 0x5c322e4dUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x9b4a9b7bUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {

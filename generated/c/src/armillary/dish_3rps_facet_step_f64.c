@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -64,7 +64,7 @@ int dish_3rps_facet_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_facet_ctx
     ctx->z_O = z_O;
     ctx->H_T_P_p_x = H_T_P_p_x;
     ctx->H_T_P_p_y = H_T_P_p_y;
-    ctx->ready = 0xe737fa05UL;
+    ctx->ready = 0xeb0fcba9UL;
   }
   return status;
 }
@@ -83,7 +83,7 @@ int dish_3rps_facet_step_f64(
   const double z_O = ctx->z_O;
   const double H_T_P_p_x = ctx->H_T_P_p_x;
   const double H_T_P_p_y = ctx->H_T_P_p_y;
-  int status = (ctx->ready == 0xe737fa05UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xeb0fcba9UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {

@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -70,7 +70,7 @@ int dish_3rps_forward_setup_f32(const dish_3rps_params_f32 *p, dish_3rps_forward
     ctx->sin_phi = sin_phi;
     ctx->H_T_P_p_x = H_T_P_p_x;
     ctx->H_T_P_p_y = H_T_P_p_y;
-    ctx->ready = 0x6e96ea6eUL;
+    ctx->ready = 0xaddd862aUL;
   }
   return status;
 }
@@ -94,7 +94,7 @@ int dish_3rps_forward_step_f32(
   const float sin_phi = ctx->sin_phi;
   const float H_T_P_p_x = ctx->H_T_P_p_x;
   const float H_T_P_p_y = ctx->H_T_P_p_y;
-  int status = (ctx->ready == 0x6e96ea6eUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xaddd862aUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   for (int leg = 0; leg < 3; ++leg) {
     if (!((l[leg] >= 0.0f) && (l[leg] <= 1000.0f))) {

@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -72,7 +72,7 @@ int dish_3rps_forward_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_forward
     ctx->sin_phi = sin_phi;
     ctx->H_T_P_p_x = H_T_P_p_x;
     ctx->H_T_P_p_y = H_T_P_p_y;
-    ctx->ready = 0xab10063eUL;
+    ctx->ready = 0x54119319UL;
   }
   return status;
 }
@@ -96,7 +96,7 @@ int dish_3rps_forward_step_f64(
   const double sin_phi = ctx->sin_phi;
   const double H_T_P_p_x = ctx->H_T_P_p_x;
   const double H_T_P_p_y = ctx->H_T_P_p_y;
-  int status = (ctx->ready == 0xab10063eUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x54119319UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   for (int leg = 0; leg < 3; ++leg) {
     if (!((l[leg] >= 0.0) && (l[leg] <= 1000.0))) {

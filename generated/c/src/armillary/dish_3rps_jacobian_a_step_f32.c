@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -63,7 +63,7 @@ int dish_3rps_jacobian_a_setup_f32(
     ctx->z_O = z_O;
     ctx->cos_phi = cos_phi;
     ctx->sin_phi = sin_phi;
-    ctx->ready = 0xd4593322UL;
+    ctx->ready = 0x689e53e5UL;
   }
   return status;
 }
@@ -81,7 +81,7 @@ int dish_3rps_jacobian_a_step_f32(
   const float z_O = ctx->z_O;
   const float cos_phi = ctx->cos_phi;
   const float sin_phi = ctx->sin_phi;
-  int status = (ctx->ready == 0xd4593322UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x689e53e5UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {

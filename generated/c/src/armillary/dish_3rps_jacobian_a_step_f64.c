@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -65,7 +65,7 @@ int dish_3rps_jacobian_a_setup_f64(
     ctx->z_O = z_O;
     ctx->cos_phi = cos_phi;
     ctx->sin_phi = sin_phi;
-    ctx->ready = 0xe8a79da0UL;
+    ctx->ready = 0x9f2023f5UL;
   }
   return status;
 }
@@ -83,7 +83,7 @@ int dish_3rps_jacobian_a_step_f64(
   const double z_O = ctx->z_O;
   const double cos_phi = ctx->cos_phi;
   const double sin_phi = ctx->sin_phi;
-  int status = (ctx->ready == 0xe8a79da0UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x9f2023f5UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -55,7 +55,7 @@ int dish_3rps_jacobian_b_setup_f32(
     ctx->m3 = t4;
     ctx->cos_phi = cos_phi;
     ctx->sin_phi = sin_phi;
-    ctx->ready = 0x10cf24cbUL;
+    ctx->ready = 0xeb56d63cUL;
   }
   return status;
 }
@@ -71,7 +71,7 @@ int dish_3rps_jacobian_b_step_f32(
   const float m3 = ctx->m3;
   const float cos_phi = ctx->cos_phi;
   const float sin_phi = ctx->sin_phi;
-  int status = (ctx->ready == 0x10cf24cbUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xeb56d63cUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -57,7 +57,7 @@ int dish_3rps_jacobian_b_setup_f64(
     ctx->m3 = t4;
     ctx->cos_phi = cos_phi;
     ctx->sin_phi = sin_phi;
-    ctx->ready = 0xaf6c0cf0UL;
+    ctx->ready = 0xad2af0abUL;
   }
   return status;
 }
@@ -73,7 +73,7 @@ int dish_3rps_jacobian_b_step_f64(
   const double m3 = ctx->m3;
   const double cos_phi = ctx->cos_phi;
   const double sin_phi = ctx->sin_phi;
-  int status = (ctx->ready == 0xaf6c0cf0UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xad2af0abUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {

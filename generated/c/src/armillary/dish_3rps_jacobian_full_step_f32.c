@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -89,7 +89,7 @@ int dish_3rps_jacobian_full_setup_f32(
     ctx->J_52 = J_52;
     ctx->J_61 = J_61;
     ctx->J_62 = J_62;
-    ctx->ready = 0x4c9145d9UL;
+    ctx->ready = 0x8f1209eaUL;
   }
   return status;
 }
@@ -113,7 +113,7 @@ int dish_3rps_jacobian_full_step_f32(
   const float J_52 = ctx->J_52;
   const float J_61 = ctx->J_61;
   const float J_62 = ctx->J_62;
-  int status = (ctx->ready == 0x4c9145d9UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x8f1209eaUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -91,7 +91,7 @@ int dish_3rps_jacobian_full_setup_f64(
     ctx->J_52 = J_52;
     ctx->J_61 = J_61;
     ctx->J_62 = J_62;
-    ctx->ready = 0x0bb1d67eUL;
+    ctx->ready = 0x0b0179bbUL;
   }
   return status;
 }
@@ -115,7 +115,7 @@ int dish_3rps_jacobian_full_step_f64(
   const double J_52 = ctx->J_52;
   const double J_61 = ctx->J_61;
   const double J_62 = ctx->J_62;
-  int status = (ctx->ready == 0x0bb1d67eUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x0b0179bbUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -65,7 +65,7 @@ int dish_3rps_jacobian_passive_setup_f32(
     ctx->r_b = r_b;
     ctx->cos_phi = cos_phi;
     ctx->sin_phi = sin_phi;
-    ctx->ready = 0xa2212b4fUL;
+    ctx->ready = 0xf4886b88UL;
   }
   return status;
 }
@@ -83,7 +83,7 @@ int dish_3rps_jacobian_passive_step_f32(
   const float r_b = ctx->r_b;
   const float cos_phi = ctx->cos_phi;
   const float sin_phi = ctx->sin_phi;
-  int status = (ctx->ready == 0xa2212b4fUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xf4886b88UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {

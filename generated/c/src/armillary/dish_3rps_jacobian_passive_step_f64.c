@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -67,7 +67,7 @@ int dish_3rps_jacobian_passive_setup_f64(
     ctx->r_b = r_b;
     ctx->cos_phi = cos_phi;
     ctx->sin_phi = sin_phi;
-    ctx->ready = 0xb0e42c7fUL;
+    ctx->ready = 0x0e088df4UL;
   }
   return status;
 }
@@ -85,7 +85,7 @@ int dish_3rps_jacobian_passive_step_f64(
   const double r_b = ctx->r_b;
   const double cos_phi = ctx->cos_phi;
   const double sin_phi = ctx->sin_phi;
-  int status = (ctx->ready == 0xb0e42c7fUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x0e088df4UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {

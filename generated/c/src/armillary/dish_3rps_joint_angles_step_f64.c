@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -62,7 +62,7 @@ int dish_3rps_joint_angles_setup_f64(
     ctx->d = d;
     ctx->m3 = t4;
     ctx->z_O = z_O;
-    ctx->ready = 0x81d9e548UL;
+    ctx->ready = 0xd0fafa11UL;
   }
   return status;
 }
@@ -78,7 +78,7 @@ int dish_3rps_joint_angles_step_f64(
   const double d = ctx->d;
   const double m3 = ctx->m3;
   const double z_O = ctx->z_O;
-  int status = (ctx->ready == 0x81d9e548UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xd0fafa11UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -54,7 +54,7 @@ int dish_3rps_off_dish_setup_f32(const dish_3rps_params_f32 *p, dish_3rps_off_di
     ctx->m3 = t4;
     ctx->cos_phi = cos_phi;
     ctx->sin_phi = sin_phi;
-    ctx->ready = 0x01da16d5UL;
+    ctx->ready = 0xeb30ec29UL;
   }
   return status;
 }
@@ -70,7 +70,7 @@ int dish_3rps_off_dish_step_f32(
   const float m3 = ctx->m3;
   const float cos_phi = ctx->cos_phi;
   const float sin_phi = ctx->sin_phi;
-  int status = (ctx->ready == 0x01da16d5UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xeb30ec29UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {

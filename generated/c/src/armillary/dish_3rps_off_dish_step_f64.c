@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -56,7 +56,7 @@ int dish_3rps_off_dish_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_off_di
     ctx->m3 = t4;
     ctx->cos_phi = cos_phi;
     ctx->sin_phi = sin_phi;
-    ctx->ready = 0x0e5bbcf5UL;
+    ctx->ready = 0x0e22e543UL;
   }
   return status;
 }
@@ -72,7 +72,7 @@ int dish_3rps_off_dish_step_f64(
   const double m3 = ctx->m3;
   const double cos_phi = ctx->cos_phi;
   const double sin_phi = ctx->sin_phi;
-  int status = (ctx->ready == 0x0e5bbcf5UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x0e22e543UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {

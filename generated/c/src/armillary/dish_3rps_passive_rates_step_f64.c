@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -62,7 +62,7 @@ int dish_3rps_passive_rates_setup_f64(
     ctx->m3 = t4 * t3;
     ctx->r_m = r_m;
     ctx->r_b = r_b;
-    ctx->ready = 0x5f0c4448UL;
+    ctx->ready = 0x37d9023bUL;
   }
   return status;
 }
@@ -79,7 +79,7 @@ int dish_3rps_passive_rates_step_f64(
   const double m3 = ctx->m3;
   const double r_m = ctx->r_m;
   const double r_b = ctx->r_b;
-  int status = (ctx->ready == 0x5f0c4448UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x37d9023bUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0) ||

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -63,7 +63,7 @@ int dish_3rps_revolute_angles_setup_f64(
     ctx->d = d;
     ctx->m3 = t4;
     ctx->z_O = z_O;
-    ctx->ready = 0xab61f403UL;
+    ctx->ready = 0xb58fd13cUL;
   }
   return status;
 }
@@ -79,7 +79,7 @@ int dish_3rps_revolute_angles_step_f64(
   const double d = ctx->d;
   const double m3 = ctx->m3;
   const double z_O = ctx->z_O;
-  int status = (ctx->ready == 0xab61f403UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xb58fd13cUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {

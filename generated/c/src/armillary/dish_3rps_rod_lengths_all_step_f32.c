@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -57,7 +57,7 @@ int dish_3rps_rod_lengths_all_setup_f32(
     ctx->m3 = t4;
     ctx->d = d;
     ctx->z_O = z_O;
-    ctx->ready = 0xea970bdaUL;
+    ctx->ready = 0x3d1932f0UL;
   }
   return status;
 }
@@ -72,7 +72,7 @@ int dish_3rps_rod_lengths_all_step_f32(
   const float m3 = ctx->m3;
   const float d = ctx->d;
   const float z_O = ctx->z_O;
-  int status = (ctx->ready == 0xea970bdaUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x3d1932f0UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f)) {

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -59,7 +59,7 @@ int dish_3rps_rod_lengths_all_setup_f64(
     ctx->m3 = t4;
     ctx->d = d;
     ctx->z_O = z_O;
-    ctx->ready = 0xe9b1b878UL;
+    ctx->ready = 0xd8dd59d1UL;
   }
   return status;
 }
@@ -74,7 +74,7 @@ int dish_3rps_rod_lengths_all_step_f64(
   const double m3 = ctx->m3;
   const double d = ctx->d;
   const double z_O = ctx->z_O;
-  int status = (ctx->ready == 0xe9b1b878UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xd8dd59d1UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0)) {

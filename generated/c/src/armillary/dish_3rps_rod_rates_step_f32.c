@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -58,7 +58,7 @@ int dish_3rps_rod_rates_setup_f32(const dish_3rps_params_f32 *p, dish_3rps_rod_r
     ctx->d = d;
     ctx->m3 = t4;
     ctx->z_O = z_O;
-    ctx->ready = 0x67ec4e6fUL;
+    ctx->ready = 0x6a3f1054UL;
   }
   return status;
 }
@@ -75,7 +75,7 @@ int dish_3rps_rod_rates_step_f32(
   const float d = ctx->d;
   const float m3 = ctx->m3;
   const float z_O = ctx->z_O;
-  int status = (ctx->ready == 0x67ec4e6fUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x6a3f1054UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f) ||

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -60,7 +60,7 @@ int dish_3rps_rod_rates_setup_f64(const dish_3rps_params_f64 *p, dish_3rps_rod_r
     ctx->d = d;
     ctx->m3 = t4;
     ctx->z_O = z_O;
-    ctx->ready = 0x06516703UL;
+    ctx->ready = 0x980a2abdUL;
   }
   return status;
 }
@@ -77,7 +77,7 @@ int dish_3rps_rod_rates_step_f64(
   const double d = ctx->d;
   const double m3 = ctx->m3;
   const double z_O = ctx->z_O;
-  int status = (ctx->ready == 0x06516703UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x980a2abdUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0) ||

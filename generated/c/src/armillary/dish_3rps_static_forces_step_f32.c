@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -92,7 +92,7 @@ int dish_3rps_static_forces_setup_f32(
     ctx->centre_x = centre_x;
     ctx->centre_y = centre_y;
     ctx->centre_z = centre_z;
-    ctx->ready = 0xfa2cf1e7UL;
+    ctx->ready = 0xde49246fUL;
   }
   return status;
 }
@@ -123,7 +123,7 @@ int dish_3rps_static_forces_step_f32(
   const float centre_x = ctx->centre_x;
   const float centre_y = ctx->centre_y;
   const float centre_z = ctx->centre_z;
-  int status = (ctx->ready == 0xfa2cf1e7UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xde49246fUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(alpha) <= 1000.0f) ||
       !(fabsf(beta) <= 1000.0f) ||

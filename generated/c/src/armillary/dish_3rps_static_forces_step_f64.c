@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x034259ccUL)
+#if !defined(ARMILLARY_DISH_3RPS_ABI) || (ARMILLARY_DISH_3RPS_ABI != 0x0f845798UL)
 #error "dish_3rps.h is of another version than this file: copy both from one release"
 #endif
 
@@ -94,7 +94,7 @@ int dish_3rps_static_forces_setup_f64(
     ctx->centre_x = centre_x;
     ctx->centre_y = centre_y;
     ctx->centre_z = centre_z;
-    ctx->ready = 0xfd83837fUL;
+    ctx->ready = 0xd3ef12baUL;
   }
   return status;
 }
@@ -125,7 +125,7 @@ int dish_3rps_static_forces_step_f64(
   const double centre_x = ctx->centre_x;
   const double centre_y = ctx->centre_y;
   const double centre_z = ctx->centre_z;
-  int status = (ctx->ready == 0xfd83837fUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xd3ef12baUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(alpha) <= 1000.0) ||
       !(fabs(beta) <= 1000.0) ||

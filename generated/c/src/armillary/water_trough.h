@@ -25,7 +25,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_WATER_TROUGH_ABI 0x3f10e64aUL
+#define ARMILLARY_WATER_TROUGH_ABI 0xd3493230UL
 
 #ifdef __cplusplus
 extern "C" {
@@ -1606,7 +1606,6 @@ int water_trough_stick_volumes_step_f32(
  *   UNREACHABLE: a container would overflow, or hold less than nothing
  *   LIMIT: a container is empty: its pump draws air
  *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
- *   UNREACHABLE: the errors at which the pump starts and stops contradict
  *   UNREACHABLE: the sun outruns the pump
  *   SINGULAR: a sun that stands still starts no pump
  * @see water_trough_cycle_setup_f32
@@ -1661,8 +1660,7 @@ typedef struct {
  *     omega_s, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what cycle_step reads; not ready where the status is negative, whatever it
  *     held before
- * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: the errors at which the pump starts and stops contradict
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  * @see water_trough_cycle_f32
  * @see water_trough_cycle_step_f32
  */
@@ -3504,7 +3502,6 @@ int water_trough_stick_volumes_step_f64(
  *   UNREACHABLE: a container would overflow, or hold less than nothing
  *   LIMIT: a container is empty: its pump draws air
  *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
- *   UNREACHABLE: the errors at which the pump starts and stops contradict
  *   UNREACHABLE: the sun outruns the pump
  *   SINGULAR: a sun that stands still starts no pump
  * @see water_trough_cycle_setup_f64
@@ -3560,8 +3557,7 @@ typedef struct {
  *     omega_s, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what cycle_step reads; not ready where the status is negative, whatever it
  *     held before
- * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
- *   UNREACHABLE: the errors at which the pump starts and stops contradict
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  * @see water_trough_cycle_f64
  * @see water_trough_cycle_step_f64
  */

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -136,7 +136,7 @@ int water_trough_acceleration_smooth_setup_f32(
     ctx->m10 = m_all * g;
     ctx->arm = arm;
     ctx->h_max = h_max;
-    ctx->ready = 0xd2d18018UL;
+    ctx->ready = 0xe464af7aUL;
   }
   return status;
 }
@@ -170,7 +170,7 @@ int water_trough_acceleration_smooth_step_f32(
   const float m10 = ctx->m10;
   const float arm = ctx->arm;
   const float h_max = ctx->h_max;
-  int status = (ctx->ready == 0xd2d18018UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xe464af7aUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(theta) <= 1000.0f) ||
       !(fabsf(omega) <= 1000.0f) ||

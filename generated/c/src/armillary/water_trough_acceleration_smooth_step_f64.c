@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -138,7 +138,7 @@ int water_trough_acceleration_smooth_setup_f64(
     ctx->m10 = m_all * g;
     ctx->arm = arm;
     ctx->h_max = h_max;
-    ctx->ready = 0xe6e963e5UL;
+    ctx->ready = 0xa95fb989UL;
   }
   return status;
 }
@@ -172,7 +172,7 @@ int water_trough_acceleration_smooth_step_f64(
   const double m10 = ctx->m10;
   const double arm = ctx->arm;
   const double h_max = ctx->h_max;
-  int status = (ctx->ready == 0xe6e963e5UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xa95fb989UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(theta) <= 1000.0) ||
       !(fabs(omega) <= 1000.0) ||

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -132,7 +132,7 @@ int water_trough_acceleration_setup_f32(
     ctx->Gamma_t = Gamma_t;
     ctx->g = g;
     ctx->h_max = h_max;
-    ctx->ready = 0x5514f389UL;
+    ctx->ready = 0x1d3db320UL;
   }
   return status;
 }
@@ -165,7 +165,7 @@ int water_trough_acceleration_step_f32(
   const float Gamma_t = ctx->Gamma_t;
   const float g = ctx->g;
   const float h_max = ctx->h_max;
-  int status = (ctx->ready == 0x5514f389UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x1d3db320UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(theta) <= 1000.0f) ||
       !(fabsf(omega) <= 1000.0f) ||

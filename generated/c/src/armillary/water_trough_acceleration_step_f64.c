@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -134,7 +134,7 @@ int water_trough_acceleration_setup_f64(
     ctx->Gamma_t = Gamma_t;
     ctx->g = g;
     ctx->h_max = h_max;
-    ctx->ready = 0xdbd00dc6UL;
+    ctx->ready = 0xf6eaee34UL;
   }
   return status;
 }
@@ -167,7 +167,7 @@ int water_trough_acceleration_step_f64(
   const double Gamma_t = ctx->Gamma_t;
   const double g = ctx->g;
   const double h_max = ctx->h_max;
-  int status = (ctx->ready == 0xdbd00dc6UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xf6eaee34UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(theta) <= 1000.0) ||
       !(fabs(omega) <= 1000.0) ||

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -147,7 +147,6 @@ int water_trough_cycle_f32(
     const int t41 = 0.0f < h_2;
     const int t42 = t40 && t41;
     const int dry = !t42; /* water_trough-dry */
-    const int unfit = band_on < fabsf(band_off); /* water_trough-unfit */
     if (indifferent) {
       status = ARMILLARY_SINGULAR;
     }
@@ -158,9 +157,6 @@ int water_trough_cycle_f32(
       status = ARMILLARY_LIMIT;
     }
     if (spilt) {
-      status = ARMILLARY_UNREACHABLE;
-    }
-    if (unfit) {
       status = ARMILLARY_UNREACHABLE;
     }
     if (outrun) {

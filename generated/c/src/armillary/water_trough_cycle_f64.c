@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -150,7 +150,6 @@ int water_trough_cycle_f64(
     const int t41 = 0.0 < h_2;
     const int t42 = t40 && t41;
     const int dry = !t42; /* water_trough-dry */
-    const int unfit = band_on < fabs(band_off); /* water_trough-unfit */
     if (indifferent) {
       status = ARMILLARY_SINGULAR;
     }
@@ -161,9 +160,6 @@ int water_trough_cycle_f64(
       status = ARMILLARY_LIMIT;
     }
     if (spilt) {
-      status = ARMILLARY_UNREACHABLE;
-    }
-    if (unfit) {
       status = ARMILLARY_UNREACHABLE;
     }
     if (outrun) {

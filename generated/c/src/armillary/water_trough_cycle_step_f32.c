@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -98,36 +98,30 @@ int water_trough_cycle_setup_f32(
     const float t7 = t4 * t5;
     const int t8 = band_off < band_on;
     const float swept = t8 ? (band_on - band_off) : 0.0f; /* water_trough-swept */
-    const int unfit = band_on < fabsf(band_off); /* water_trough-unfit */
-    if (unfit) {
-      status = ARMILLARY_UNREACHABLE;
-    }
-    if (status >= 0) {
-      ctx->m1 = t3;
-      ctx->h_10 = h_10;
-      ctx->m2 = t2;
-      ctx->x_1 = x_1;
-      ctx->m3 = t1 * cos_lam;
-      ctx->m4 = t5;
-      ctx->h_20 = h_20;
-      ctx->m5 = t4;
-      ctx->x_2 = x_2;
-      ctx->S_t_xi = S_t_xi;
-      ctx->y_1 = y_1;
-      ctx->m6 = t1 * sin_lam;
-      ctx->y_2 = y_2;
-      ctx->S_t_eta = S_t_eta;
-      ctx->m7 = 1.0e-6f * m_all;
-      ctx->m8 = (t6 * x_1) - (t7 * x_2);
-      ctx->m9 = t6;
-      ctx->m10 = 0.5f * t3;
-      ctx->m11 = t7;
-      ctx->m12 = 0.5f * t5;
-      ctx->q_pump = q_pump;
-      ctx->swept = swept;
-      ctx->h_max = h_max;
-      ctx->ready = 0x81fc4ad6UL;
-    }
+    ctx->m1 = t3;
+    ctx->h_10 = h_10;
+    ctx->m2 = t2;
+    ctx->x_1 = x_1;
+    ctx->m3 = t1 * cos_lam;
+    ctx->m4 = t5;
+    ctx->h_20 = h_20;
+    ctx->m5 = t4;
+    ctx->x_2 = x_2;
+    ctx->S_t_xi = S_t_xi;
+    ctx->y_1 = y_1;
+    ctx->m6 = t1 * sin_lam;
+    ctx->y_2 = y_2;
+    ctx->S_t_eta = S_t_eta;
+    ctx->m7 = 1.0e-6f * m_all;
+    ctx->m8 = (t6 * x_1) - (t7 * x_2);
+    ctx->m9 = t6;
+    ctx->m10 = 0.5f * t3;
+    ctx->m11 = t7;
+    ctx->m12 = 0.5f * t5;
+    ctx->q_pump = q_pump;
+    ctx->swept = swept;
+    ctx->h_max = h_max;
+    ctx->ready = 0x58a64445UL;
   }
   return status;
 }
@@ -159,7 +153,7 @@ int water_trough_cycle_step_f32(
   const float q_pump = ctx->q_pump;
   const float swept = ctx->swept;
   const float h_max = ctx->h_max;
-  int status = (ctx->ready == 0x81fc4ad6UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x58a64445UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(s) <= 1000.0f) ||
       !(fabsf(theta_dot_ref) <= 1000.0f)) {

@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -142,7 +142,7 @@ int water_trough_friction_setup_f64(
     ctx->share_A = share_A;
     ctx->m10 = 1.0 - share_A;
     ctx->h_max = h_max;
-    ctx->ready = 0xc5e57fedUL;
+    ctx->ready = 0xd2c154cfUL;
   }
   return status;
 }
@@ -177,7 +177,7 @@ int water_trough_friction_step_f64(
   const double share_A = ctx->share_A;
   const double m10 = ctx->m10;
   const double h_max = ctx->h_max;
-  int status = (ctx->ready == 0xc5e57fedUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xd2c154cfUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(theta) <= 1000.0) ||
       !(fabs(omega) <= 1000.0) ||

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -139,7 +139,7 @@ int water_trough_linear_setup_f32(
     ctx->rho = rho;
     ctx->h_max = h_max;
     ctx->arm = arm;
-    ctx->ready = 0xede25780UL;
+    ctx->ready = 0xe470563cUL;
   }
   return status;
 }
@@ -176,7 +176,7 @@ int water_trough_linear_step_f32(
   const float rho = ctx->rho;
   const float h_max = ctx->h_max;
   const float arm = ctx->arm;
-  int status = (ctx->ready == 0xede25780UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xe470563cUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(s) <= 1000.0f)) {
     if (status == ARMILLARY_OK) {

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -141,7 +141,7 @@ int water_trough_linear_setup_f64(
     ctx->rho = rho;
     ctx->h_max = h_max;
     ctx->arm = arm;
-    ctx->ready = 0x96df8010UL;
+    ctx->ready = 0x6c71d724UL;
   }
   return status;
 }
@@ -178,7 +178,7 @@ int water_trough_linear_step_f64(
   const double rho = ctx->rho;
   const double h_max = ctx->h_max;
   const double arm = ctx->arm;
-  int status = (ctx->ready == 0x96df8010UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x6c71d724UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(s) <= 1000.0)) {
     if (status == ARMILLARY_OK) {

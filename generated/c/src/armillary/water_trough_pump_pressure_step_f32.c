@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -153,7 +153,7 @@ int water_trough_pump_pressure_setup_f32(
     ctx->m18 = 0.5f * t1;
     ctx->m19 = 0.5f * t2;
     ctx->h_max = h_max;
-    ctx->ready = 0x7a453475UL;
+    ctx->ready = 0xc15f419cUL;
   }
   return status;
 }
@@ -196,7 +196,7 @@ int water_trough_pump_pressure_step_f32(
   const float m18 = ctx->m18;
   const float m19 = ctx->m19;
   const float h_max = ctx->h_max;
-  int status = (ctx->ready == 0x7a453475UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xc15f419cUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(theta) <= 1000.0f) ||
       !(fabsf(omega) <= 1000.0f) ||

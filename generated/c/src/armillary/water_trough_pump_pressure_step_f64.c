@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -155,7 +155,7 @@ int water_trough_pump_pressure_setup_f64(
     ctx->m18 = 0.5 * t1;
     ctx->m19 = 0.5 * t2;
     ctx->h_max = h_max;
-    ctx->ready = 0xf7b44a2eUL;
+    ctx->ready = 0x0caa93ecUL;
   }
   return status;
 }
@@ -198,7 +198,7 @@ int water_trough_pump_pressure_step_f64(
   const double m18 = ctx->m18;
   const double m19 = ctx->m19;
   const double h_max = ctx->h_max;
-  int status = (ctx->ready == 0xf7b44a2eUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x0caa93ecUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(theta) <= 1000.0) ||
       !(fabs(omega) <= 1000.0) ||

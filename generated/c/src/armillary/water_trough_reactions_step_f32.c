@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -140,7 +140,7 @@ int water_trough_reactions_setup_f32(
     ctx->share_A = share_A;
     ctx->m10 = 1.0f - share_A;
     ctx->h_max = h_max;
-    ctx->ready = 0x1430b819UL;
+    ctx->ready = 0x6f394629UL;
   }
   return status;
 }
@@ -175,7 +175,7 @@ int water_trough_reactions_step_f32(
   const float share_A = ctx->share_A;
   const float m10 = ctx->m10;
   const float h_max = ctx->h_max;
-  int status = (ctx->ready == 0x1430b819UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x6f394629UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(theta) <= 1000.0f) ||
       !(fabsf(omega) <= 1000.0f) ||

@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -102,7 +102,7 @@ int water_trough_rest_angle_setup_f64(
     ctx->S_t_eta = S_t_eta;
     ctx->m7 = 1.0e-6 * m_all;
     ctx->h_max = h_max;
-    ctx->ready = 0x897935b3UL;
+    ctx->ready = 0x47d5c027UL;
   }
   return status;
 }
@@ -126,7 +126,7 @@ int water_trough_rest_angle_step_f64(
   const double S_t_eta = ctx->S_t_eta;
   const double m7 = ctx->m7;
   const double h_max = ctx->h_max;
-  int status = (ctx->ready == 0x897935b3UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x47d5c027UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(s) <= 1000.0)) {
     if (status == ARMILLARY_OK) {

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -125,7 +125,7 @@ int water_trough_rest_setup_f32(const water_trough_params_f32 *p, water_trough_r
     ctx->m13 = t8;
     ctx->m14 = 0.5f * t5;
     ctx->h_max = h_max;
-    ctx->ready = 0x3389a451UL;
+    ctx->ready = 0x9db719b4UL;
   }
   return status;
 }
@@ -159,7 +159,7 @@ int water_trough_rest_step_f32(
   const float m13 = ctx->m13;
   const float m14 = ctx->m14;
   const float h_max = ctx->h_max;
-  int status = (ctx->ready == 0x3389a451UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x9db719b4UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(s) <= 1000.0f)) {
     if (status == ARMILLARY_OK) {

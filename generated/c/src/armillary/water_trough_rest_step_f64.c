@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -127,7 +127,7 @@ int water_trough_rest_setup_f64(const water_trough_params_f64 *p, water_trough_r
     ctx->m13 = t8;
     ctx->m14 = 0.5 * t5;
     ctx->h_max = h_max;
-    ctx->ready = 0xdd660d16UL;
+    ctx->ready = 0x6adf1158UL;
   }
   return status;
 }
@@ -162,7 +162,7 @@ int water_trough_rest_step_f64(
   const double m13 = ctx->m13;
   const double m14 = ctx->m14;
   const double h_max = ctx->h_max;
-  int status = (ctx->ready == 0xdd660d16UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x6adf1158UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(s) <= 1000.0)) {
     if (status == ARMILLARY_OK) {

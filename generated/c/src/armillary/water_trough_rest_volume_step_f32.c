@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -115,7 +115,7 @@ int water_trough_rest_volume_setup_f32(
     ctx->m11 = t16;
     ctx->y_2 = y_2;
     ctx->S_t_eta = S_t_eta;
-    ctx->ready = 0x9f36b03cUL;
+    ctx->ready = 0xe420fc46UL;
   }
   return status;
 }
@@ -143,7 +143,7 @@ int water_trough_rest_volume_step_f32(
   const float m11 = ctx->m11;
   const float y_2 = ctx->y_2;
   const float S_t_eta = ctx->S_t_eta;
-  int status = (ctx->ready == 0x9f36b03cUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xe420fc46UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(theta) <= 1000.0f)) {
     if (status == ARMILLARY_OK) {

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -117,7 +117,7 @@ int water_trough_rest_volume_setup_f64(
     ctx->m11 = t16;
     ctx->y_2 = y_2;
     ctx->S_t_eta = S_t_eta;
-    ctx->ready = 0x7b9934bcUL;
+    ctx->ready = 0x3a387058UL;
   }
   return status;
 }
@@ -145,7 +145,7 @@ int water_trough_rest_volume_step_f64(
   const double m11 = ctx->m11;
   const double y_2 = ctx->y_2;
   const double S_t_eta = ctx->S_t_eta;
-  int status = (ctx->ready == 0x7b9934bcUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x3a387058UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(theta) <= 1000.0)) {
     if (status == ARMILLARY_OK) {

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -114,7 +114,7 @@ int water_trough_stick_band_setup_f32(
     ctx->m8 = t4;
     ctx->m9 = arm * m_all;
     ctx->h_max = h_max;
-    ctx->ready = 0xf9f0d662UL;
+    ctx->ready = 0xb625b3dfUL;
   }
   return status;
 }
@@ -140,7 +140,7 @@ int water_trough_stick_band_step_f32(
   const int m8 = ctx->m8;
   const float m9 = ctx->m9;
   const float h_max = ctx->h_max;
-  int status = (ctx->ready == 0xf9f0d662UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xb625b3dfUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(s) <= 1000.0f)) {
     if (status == ARMILLARY_OK) {

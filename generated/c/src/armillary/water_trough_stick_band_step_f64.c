@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -116,7 +116,7 @@ int water_trough_stick_band_setup_f64(
     ctx->m8 = t4;
     ctx->m9 = arm * m_all;
     ctx->h_max = h_max;
-    ctx->ready = 0x1ad5dc5fUL;
+    ctx->ready = 0xb2a77034UL;
   }
   return status;
 }
@@ -142,7 +142,7 @@ int water_trough_stick_band_step_f64(
   const int m8 = ctx->m8;
   const double m9 = ctx->m9;
   const double h_max = ctx->h_max;
-  int status = (ctx->ready == 0x1ad5dc5fUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xb2a77034UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(s) <= 1000.0)) {
     if (status == ARMILLARY_OK) {

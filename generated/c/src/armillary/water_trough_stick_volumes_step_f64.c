@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x3f10e64aUL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -118,7 +118,7 @@ int water_trough_stick_volumes_setup_f64(
     ctx->m8 = t5;
     ctx->h_2 = h_20;
     ctx->h_max = h_max;
-    ctx->ready = 0xf1fe1c13UL;
+    ctx->ready = 0x82b577e0UL;
   }
   return status;
 }
@@ -138,7 +138,7 @@ int water_trough_stick_volumes_step_f64(
   const double m8 = ctx->m8;
   const double h_2 = ctx->h_2;
   const double h_max = ctx->h_max;
-  int status = (ctx->ready == 0xf1fe1c13UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x82b577e0UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(theta) <= 1000.0)) {
     if (status == ARMILLARY_OK) {
