@@ -1,13 +1,13 @@
 """The pump's law, interpreted and compiled, against a plain state machine over random traces."""
 
 import math
-from pathlib import Path
 
 import numpy as np
 
 from armillary import Status
-from armillary.verify.implementations import generated_module, native_system
 from armillary.verify.measured import compare
+
+from .motion_of import compiled
 
 SAMPLES, PUMPS = 400, 60
 KERNEL = "pump_control_update"
@@ -86,16 +86,6 @@ def by_law(kernels, given, heard):
         pump = np.array(found.pump)
         told.append((pump, np.array(found.status), np.array(found.flow)))
     return [np.array(column) for column in zip(*told, strict=True)]
-
-
-def compiled(kernels):
-    """The compiled C of the same kernels.
-
-    Raises:
-        EngineMissing: if there is no compiler.
-    """
-    folder, package = Path(kernels.__file__).parents[1], kernels.__name__.rpartition(".")[0]
-    return native_system(folder, generated_module(folder, package, "native"), "water_trough")
 
 
 def law_by_machine(kernels):

@@ -115,6 +115,14 @@ def rest_volume_inverts(kernels):
         "no volume for a rest that does not last", "geometry",
         call(kernels.rest_volume, over).status, Status.UNREACHABLE, 0.0, over, "rest_volume",
     )  # fmt: skip
+    even = {**points, "theta": 0.0 * points["theta"], "l": 0.0, "S_t_xi": 0.0, "S_t_eta": -0.1}
+    even |= {"x_2": -points["x_1"], "y_1": -0.5, "y_2": -0.5}
+    even |= {"A_2": points["A_1"], "h_20": points["h_10"]}
+    found = call(kernels.rest_volume, even)
+    yield compare(
+        "an even trough rests upright with its water even", "symmetry",
+        np.stack([found.status, found.s]), 0.0, 0.0, even, "rest_volume",
+    )  # fmt: skip
 
 
 # -- friction at rest -----------------------------------------------------------------------------

@@ -1,28 +1,19 @@
 """The trough in time: the book of energy, swings, following, and the cycle of the pump."""
 
-import importlib
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from armillary.verify.engines import need
-from armillary.verify.implementations import need_compiler
 from armillary.verify.measured import compare
 from armillary.verify.parameters import read_parameters
 
-from .motion_of import Motion, closed
+from .motion_of import Motion, closed, compiled
 from .pumping import Piece, joined, pulses
 from .troughs import trough
 
 SECONDS = 200.0
-
-
-def compiled(kernels):
-    """The kernels once more, compiled: a motion asks for them a hundred thousand times."""
-    need_compiler()
-    package = kernels.__name__.rpartition(".")[0]
-    return importlib.import_module(f"{package}.native").water_trough
 
 
 def small(**changed):
@@ -167,13 +158,12 @@ def _cycle(kernels, given, rate, s):
 
 def cycle_by_search(kernels):
     """To first order in what the error sweeps without friction; with it, to first order of it."""
-    fast = compiled(kernels)
     rate, s = 7e-5, -5e-4
 
     def missed(swept, mu):
         given = small(mu=mu, q_pump=8e-6, band_on=swept, band_off=0.0)
-        found = fast.cycle(s=s, theta_dot_ref=rate, **given)
-        wanted = _cycle(fast, given, rate, s)
+        found = kernels.cycle(s=s, theta_dot_ref=rate, **given)
+        wanted = _cycle(kernels, given, rate, s)
         return [abs(float(f) - w) / w for f, w in zip(found[:2], wanted, strict=True)]
 
     coarse, fine = missed(8e-3, 0.0), missed(4e-3, 0.0)

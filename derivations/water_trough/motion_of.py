@@ -6,10 +6,12 @@ and no threshold.
 """
 
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
 
-from armillary.verify.engines import need
+from armillary.verify.engines import EngineMissing, need
+from armillary.verify.implementations import generated_module, native_system
 
 STICKING = 3
 GRID = 257  # times in a piece at which friction is asked whether it holds
@@ -299,3 +301,15 @@ def creeping(kernels, trough, pieces, theta, tolerance=1e-10):
         rows.extend(found.y[:, 1:].T)
         y = found.y[:, -1].copy()
     return np.array(times), *np.array(rows).T
+
+
+def compiled(kernels):
+    """The compiled C of the same kernels: a motion asks for them a hundred thousand times.
+
+    Raises:
+        EngineMissing: if there is no compiler, or no C beside the kernels.
+    """
+    folder, package = Path(kernels.__file__).parents[1], kernels.__name__.rpartition(".")[0]
+    if not (folder.parent / "c").is_dir():
+        raise EngineMissing("compiled C", "run armillary generate")
+    return native_system(folder, generated_module(folder, package, "native"), "water_trough")
