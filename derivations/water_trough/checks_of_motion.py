@@ -5,10 +5,11 @@ import numpy as np
 from armillary import Status
 from armillary.verify.engines import need
 from armillary.verify.measured import compare
+from armillary.verify.points import chosen
 
 from .euler_lagrange import equations
 from .parcels import bearings, demand, state, sums, tube
-from .samples import awkward, call, chosen, fast, joined, rows
+from .samples import awkward, call, fast, joined, rows
 
 
 def by_euler_lagrange(kernels):

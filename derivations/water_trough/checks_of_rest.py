@@ -5,10 +5,11 @@ import numpy as np
 from armillary import Status
 from armillary.verify.engines import need
 from armillary.verify.measured import compare
+from armillary.verify.points import chosen
 
 from .checks_of_motion import whole
 from .parcels import STEP, UP, demand, sums
-from .samples import call, chosen, rows
+from .samples import call, rows
 
 STILL = {"omega": 0.0, "q": 0.0, "q_dot": 0.0}
 

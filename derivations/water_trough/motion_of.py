@@ -10,10 +10,10 @@ from pathlib import Path
 
 import numpy as np
 
+from armillary import Status
 from armillary.verify.engines import EngineMissing, need
 from armillary.verify.implementations import generated_module, native_system
 
-STICKING = 3
 GRID = 257  # times in a piece at which friction is asked whether it holds
 POINTS = 8  # rows written of a piece in which the trough stands and water flows
 MOST = 100_000  # events of a motion
@@ -150,7 +150,7 @@ class Motion:
         if np.any(found.status < 0):
             raise MotionError(f"acceleration answers {np.min(found.status)} at theta = {theta:.9g}")
         # A container that is empty is told before STICKING; then the acceleration tells.
-        return (found.status == STICKING) | (found.alpha == 0)
+        return (found.status == Status.STICKING) | (found.alpha == 0)
 
     # ---- from an event to the next, or to the end of the piece ----
 
@@ -159,7 +159,7 @@ class Motion:
         if y[1] != 0:
             return int(np.sign(y[1]))
         alpha, status = self.alpha(y[0], 0.0, *piece(time))
-        return 0 if status == STICKING else int(np.sign(alpha))
+        return 0 if status == Status.STICKING else int(np.sign(alpha))
 
     def _stick(self, piece, time, y, record, _):
         end = self._breakaway(piece, time, y[0])

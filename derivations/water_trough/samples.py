@@ -19,11 +19,6 @@ def joined(*several):
     return {name: np.concatenate([points[name] for points in several]) for name in several[0]}
 
 
-def chosen(points, mask):
-    """Those of the points that a mask keeps."""
-    return {name: value[mask] for name, value in points.items()}
-
-
 def rows(points):
     """The points one by one, each a dictionary of floats."""
     for k in range(len(points["theta"])):
