@@ -49,19 +49,21 @@ def near(value: Block, *, by: float) -> Near:
 def as_drawn(
     d: Derivation, drawn: object, inputs: tuple[AnyQuantity, ...], kernel: str, source: Source
 ) -> tuple[Drawn, ...]:
-    """What each input that is named is drawn as; the others are drawn from their ranges."""
+    """What each input or parameter that is named is drawn as; ranges are what the others have."""
     if not isinstance(drawn, Mapping):
         raise DerivationError(
             f"drawn= of kernel {kernel} is {told(drawn)}, not a mapping",
             "write drawn={input: expression}",
             source,
         )
+    known = (*inputs, *d.parameters)
     for quantity, value in drawn.items():
-        if quantity not in inputs:
+        if quantity not in known:
             name = quantity.name if isinstance(quantity, AnyQuantity) else told(quantity)
             raise DerivationError(
-                f"drawn= of kernel {kernel} tells what {name} is, which is no input of it",
-                "name its inputs only",
+                f"drawn= of kernel {kernel} tells what {name} is, which is no input or "
+                "parameter of it",
+                "name its inputs and parameters only",
                 source,
             )
         _check_leaves(quantity.name, value, tuple(drawn), kernel, source)

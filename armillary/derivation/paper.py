@@ -287,7 +287,12 @@ class Paper(Derivation):
         self._state(Spans(key, quote, turns, tuple(angles), source))
 
     def in_unit(self, key: str, quote: str, value: s.Scalar | v.Vector | Matrix, unit: str) -> None:
-        """A row of the nomenclature: the unit, as it is written there, of what a symbol means."""
+        """A row of the nomenclature: the unit, as it is written there, of what a symbol means.
+
+        Args:
+            value: a matrix where one row names several things, all of that unit.
+            unit: "N m^2", "m^3/s"; "1" where the row has none.
+        """
         source = caller()
         self._check(key, value, source)
         self._state(InUnit(key, quote, value, factors_of(unit, source), source))

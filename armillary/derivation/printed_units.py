@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import reduce
 
@@ -55,11 +56,13 @@ class InUnit:
 
 
 def factors_of(text: str, source: Source) -> Factors:
-    """A unit as it is written, "N m^2" or "m^3/s".
+    """A unit as it is written, "N m^2" or "m^3/s"; "1", of a row without one, has no factors.
 
     Raises:
         DerivationError: for a unit that is not in `UNITS`, or more than one "/".
     """
+    if text == "1":
+        return ()
     made = []
     parts = text.split("/")
     for sign, part in zip((1, -1), parts, strict=False):
@@ -79,10 +82,21 @@ def product_of(factors: Factors) -> Unit:
     return reduce(lambda made, one: made * UNITS[one[0]] ** one[1], factors, ONE)
 
 
-def written(factors: Factors) -> str:
-    """That unit as text: "m^3/s"."""
+def _plain(name: str, power: int) -> str:
+    return f"{name}^{power}" if power > 1 else name
+
+
+def written(
+    factors: Factors, factor: Callable[[str, int], str] = _plain, between: str = " "
+) -> str:
+    """That unit as text, "m^3/s".
+
+    Args:
+        factor: writes a unit with its power, which is positive on either side of the stroke.
+        between: stands between two of them.
+    """
     up, down = (
-        " ".join(f"{name}^{abs(n)}" if abs(n) > 1 else name for name, n in factors if n * sign > 0)
+        between.join(factor(name, abs(n)) for name, n in factors if n * sign > 0)
         for sign in (1, -1)
     )
-    return f"{up or '1'}/{down}" if down else up
+    return f"{up or '1'}/{down}" if down else up or "1"

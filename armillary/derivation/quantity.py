@@ -111,12 +111,15 @@ class Quantity(Symbol):
         Args:
             limits: it is refused beyond; the wide box of its unit, if not given.
             range: where it works; what is usual for its unit, if not given.
+
+        Raises:
+            DerivationError: if it has a rate already, of another name, meaning or box.
         """
         if "rate" not in self.known_rate:
             made = self.make_rate(self, name, meaning, limits, range)
             assert isinstance(made, Symbol)
             self.known_rate["rate"] = made
-        _must_be_the_same(self.name, self.known_rate["rate"], name, meaning)
+        _must_be_the_same(self.name, self.known_rate["rate"], name, meaning, limits, range)
         return self.known_rate["rate"]
 
     def velocity(self) -> Scalar:
@@ -170,12 +173,15 @@ class VectorQuantity(VectorSymbol):
         Args:
             limits: it is refused beyond; the wide box of its unit, if not given.
             range: where it works; what is usual for its unit, if not given.
+
+        Raises:
+            DerivationError: if it has a rate already, of another name, meaning or box.
         """
         if "rate" not in self.known_rate:
             made = self.make_rate(self, name, meaning, limits, range)
             assert isinstance(made, VectorSymbol)
             self.known_rate["rate"] = made
-        _must_be_the_same(self.name, self.known_rate["rate"], name, meaning)
+        _must_be_the_same(self.name, self.known_rate["rate"], name, meaning, limits, range)
         return self.known_rate["rate"]
 
     def velocity(self) -> Vector:
@@ -266,16 +272,25 @@ def _must_be_held(name: str, facts: Facts) -> None:
 
 
 def _must_be_the_same(
-    of: str, known: Symbol | VectorSymbol, name: str | None, meaning: str | None
+    of: str,
+    known: Symbol | VectorSymbol,
+    name: str | None,
+    meaning: str | None,
+    limits: Box,
+    range: Box,
 ) -> None:
-    """A quantity has one rate: asking again may not ask for another name or meaning."""
+    """A quantity has one rate: asking again may not ask for another name, meaning or box."""
     assert isinstance(known, (Quantity, VectorQuantity))
-    if name in (None, known.name) and meaning in (None, known.facts.meaning):
+    facts = known.facts
+    asked = ((name, known.name), (meaning, facts.meaning))
+    boxes = (("limits", limits, facts.limits), ("range", range, facts.range))
+    other = [(word, has) for word, box, has in boxes if box is not None and tuple(box) != has]
+    if not other and all(wanted in (None, has) for wanted, has in asked):
         return
+    told = "".join(f" with the {word} {has[0]:g} to {has[1]:g}" for word, has in other[:1])
     raise DerivationError(
-        f"{of} already has the rate {known.name} ({known.facts.meaning})",
-        f"name it where it is first made, at {known.facts.source}, "
-        f"or ask for it by {of}.rate() alone",
+        f"{of} already has the rate {known.name} ({facts.meaning}){told}",
+        f"name it where it is first made, at {facts.source}, or ask for it by {of}.rate() alone",
         caller(),
     )
 

@@ -227,8 +227,8 @@ class Derivation(Quantities):
             inputs: its arguments in order; parameters of the system come by themselves.
             outputs: definitions, or a mapping from a result's name to an expression.
             cases: (status, condition, reason) for points that need a status.
-            drawn: what inputs are at the points of checks, where values taken at random do not
-                fit together: expressions of inputs and parameters, or `near(expression, by=...)`.
+            drawn: what inputs and parameters are at the points of checks, where values taken at
+                random do not fit together: expressions of others, or `near(expression, by=...)`.
         """
         source = caller()
         given = as_inputs(self, inputs, name, source)

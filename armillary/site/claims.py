@@ -10,7 +10,7 @@ from armillary.algebra import scalar as s
 from armillary.algebra import vector as v
 from armillary.algebra.rigid import Matrix
 from armillary.derivation.paper import Needed, Negligible, Spans, Word
-from armillary.derivation.printed_units import InUnit
+from armillary.derivation.printed_units import InUnit, written
 from armillary.derivation.quantity import Quantity
 from armillary.derivation.ranges import Between, Extremes, Hanging, LeastMoved
 from armillary.derivation.statements import Block
@@ -107,12 +107,9 @@ def _(printed: Spans, structure: Structure) -> Iterator[str]:
 
 @claim_latex.register
 def _(printed: InUnit, structure: Structure) -> Iterator[str]:
-    up, down = (
-        r"\,".join(
-            rf"\mathrm{{{name}}}" + (f"^{{{abs(n)}}}" if abs(n) > 1 else "")
-            for name, n in printed.factors
-            if n * sign > 0
-        )
-        for sign in (1, -1)
-    )
-    yield rf"\left[{structure(printed.value)}\right] = {up or '1'}" + (f"/{down}" if down else "")
+    unit = written(printed.factors, _upright, r"\,")
+    yield rf"\left[{structure(printed.value)}\right] = {unit}"
+
+
+def _upright(unit: str, power: int) -> str:
+    return rf"\mathrm{{{unit}}}" + (f"^{{{power}}}" if power > 1 else "")

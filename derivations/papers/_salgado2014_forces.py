@@ -81,9 +81,21 @@ p.equation(
 )
 
 
-def bearings(weights, acceleration):
-    """What (2) makes of the force of both bearings."""
-    return vector(M * acceleration.x, M * acceleration.y + weights, 0)
+# M, and the a beside it, may be of the concentrator or of all that moves.
+MASSES = {"M the concentrator's mass": M, "M the mass of all that moves": m_all}
+
+
+def readings(made, of_all=a_all):
+    """`made` of mass and acceleration, for each way to read M and a."""
+    centres = {
+        "a of the concentrator's centre of mass": a_c,
+        "a of the mass centre of trough and water": of_all,
+    }
+    return {
+        f"{mass}, {centre}": made(MASSES[mass], centres[centre])
+        for mass in MASSES
+        for centre in centres
+    }
 
 
 STILL = {rate: number(0) for rate in (omega, alpha, q, q_dot)}
@@ -91,30 +103,37 @@ AXIS = vector(0, 0, 1)
 NO_FLOW = {q: number(0), q_dot: number(0)}
 EMPTY = {trough.quantity(name): number(0) for name in ("m_t", "S_t_xi", "S_t_eta")}
 AN_EMPTY_TUBE = "true of an empty tube"
-weights = M * g + F_1 + F_2
+ONCE = "true without F_1 and F_2: M has the mass of the water already"
+WEIGHTLESS = {F_1: number(0), F_2: number(0)}
+AT_REST = {
+    level: substitute(level, STILL),
+    upward: substitute(upward, STILL),
+    a_c: vector(0, 0, 0),
+    a_all: vector(0, 0, 0),
+}
 p.equation(
     "2",
     words="force of both bearings, F_1 and F_2 the weights of the water",
     claims=vector(level, upward, 0),
-    printed={
-        "a of the concentrator's centre of mass": bearings(weights, a_c),
-        "a of the mass centre of trough and water": bearings(weights, a_all),
-    },
+    printed=readings(lambda m, a: vector(m * a.x, m * a.y + m * g + F_1 + F_2, 0)),
     meant={
         "true of a trough at rest with an empty tube": {
-            level: substitute(level, STILL),
+            **AT_REST,
             upward: substitute(upward, {**STILL, **EMPTY}),
-            a_c: vector(0, 0, 0),
-            a_all: vector(0, 0, 0),
-        }
+        },
+        ONCE: WEIGHTLESS,
+        "true at rest without F_1 and F_2: M has the mass of the water already": {
+            **AT_REST,
+            **WEIGHTLESS,
+        },
     },
 )
 p.equation(
     "2 at rest",
     words="force of both bearings upward, where nothing moves",
     claims=substitute(upward, STILL),
-    printed=weights,
-    meant={AN_EMPTY_TUBE: EMPTY},
+    printed={words: m * g + F_1 + F_2 for words, m in MASSES.items()},
+    meant={ONCE: WEIGHTLESS},
 )
 
 
@@ -135,28 +154,37 @@ def lifting(container):
 N_1, N_2 = lifting(1), lifting(2)
 AS_FORCES = "F_1 force on container 1 [N] [...] F_2 force on container 2 [N]"
 NO_WATER = {**EMPTY, rho: number(0)}
-held_level = p.define(
-    "held_level",
-    substitute(level, NO_FLOW),
-    because="The pumps are off.",
-    meaning="force of both bearings along i while no water is moved",
-    latex="F_{x0}",
+A_DRY_TROUGH = "true of a trough without water"
+held_level, held_upward = (
+    p.define(
+        f"held_{force.name}",
+        substitute(force, NO_FLOW),
+        because="The pumps are off.",
+        meaning=f"force of both bearings along {along} while no water is moved",
+        latex=f"F_{{{axis}0}}",
+    )
+    for force, along, axis in ((level, "i", "x"), (upward, "j", "y"))
 )
-held_upward = p.define(
-    "held_upward",
-    substitute(upward, NO_FLOW),
+a_held = p.define(
+    "a_held",
+    substitute(a_all, NO_FLOW),
     because="The pumps are off.",
-    meaning="force of both bearings along j while no water is moved",
-    latex="F_{y0}",
+    meaning="acceleration of the mass centre of trough and water while no water is moved",
+    latex=r"\mathbf{a}_0",
 )
+DRY = {m_all: M, a_held: a_c, N_1: number(0), N_2: number(0)}
 p.equation(
     "2 along j",
     words="force of both bearings along j while no water is moved, F_1 and F_2 the forces on the "
     "containers that the nomenclature calls them",
     quote=AS_FORCES,
     claims=held_upward,
-    printed=M * a_c.y + M * g + N_1 + N_2,
-    meant={AN_EMPTY_TUBE: {held_upward: substitute(held_upward, EMPTY)}},
+    printed=readings(lambda m, a: m * a.y + m * g + N_1 + N_2, a_held),
+    meant={
+        AN_EMPTY_TUBE: {held_upward: substitute(held_upward, EMPTY)},
+        ONCE: {N_1: number(0), N_2: number(0)},
+        A_DRY_TROUGH: {**DRY, held_upward: substitute(held_upward, NO_WATER)},
+    },
 )
 p.equation(
     "2 along i",
@@ -164,8 +192,8 @@ p.equation(
     "containers",
     quote=AS_FORCES,
     claims=held_level,
-    printed=M * a_c.x,
-    meant={"true of a trough without water": {held_level: substitute(held_level, NO_WATER)}},
+    printed=readings(lambda m, a: m * a.x, a_held),
+    meant={A_DRY_TROUGH: {**DRY, held_level: substitute(held_level, NO_WATER)}},
 )
 p.unchecked(
     "3",

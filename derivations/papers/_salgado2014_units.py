@@ -7,13 +7,12 @@ from armillary import (
     Y,
     Z,
     cos,
-    degrees,
     elementary,
+    matrix,
     sin,
     time_derivative,
     vector,
 )
-from armillary.derivation.units import RADIAN
 
 paper = p = Paper(
     "salgado2014",
@@ -28,17 +27,26 @@ p.assume(
     "about z, and container 1 stands on the side of negative x."
 )
 p.assume(
+    "The caption of Fig. 1 gives the label 1 to Container 2 and the label 2 to Container 1. The "
+    "text and the nomenclature are read by the containers' names. By the labels the water of the "
+    "principle would run the other way, and the trough would turn clockwise."
+)
+p.assume(
     "The file ends after the words that announce (3). What is printed and can be judged are (1), "
     "(2), the principle, and the nomenclature."
+)
+p.assume(
+    "The sentence before (1) and (2) calls a the acceleration of the centre of mass of the whole, "
+    "but the a of (2) stands beside M, a row that says mass and no more, where (1) has m. M and a "
+    "are read of the concentrator and of all that moves, F_1 and F_2 as weights of the water and "
+    "as the forces that the nomenclature calls them."
 )
 p.assume(
     "r_f is the diameter that the nomenclature calls it, although r is the letter of a radius: as "
     "a radius it would double every moment of friction."
 )
 
-theta, omega, s, q, rho, g = (
-    trough.quantity(name) for name in ("theta", "omega", "s", "q", "rho", "g")
-)
+theta, omega, q, rho, g = (trough.quantity(name) for name in ("theta", "omega", "q", "rho", "g"))
 M, l, lam, m_t, r_A, r_B = (
     trough.quantity(name) for name in ("M", "l", "lam", "m_t", "r_A", "r_B")
 )
@@ -105,7 +113,7 @@ m_T = p.define(
 
 ROWS = (
     ("a", "acceleration [m²/s]", a_c, "m^2/s"),
-    ("A", "area [m²]", trough.quantity("A_1"), "m^2"),
+    ("A", "area [m²]", matrix([trough.quantity("A_1"), trough.quantity("A_2")]), "m^2"),
     ("F_A", "force on the bearing A [N]", trough["F_A"], "N"),
     ("F_B", "force on the bearing B [N]", trough["F_B"], "N"),
     ("F_1", "force on container 1 [N]", trough["F_1"], "N"),
@@ -122,33 +130,28 @@ ROWS = (
     ("r_A", "the distance between F_A and the origin “O” [m]", r_A, "m"),
     ("r_B", "the distance between F_B and the origin “O” [m]", r_B, "m"),
     ("r_f", "bearing diameter [m]", trough.quantity("r_f"), "m"),
-    ("t", "time [s]", s / q, "s"),
     ("alpha", "angular acceleration [rad/s²]", trough.quantity("alpha"), "rad/s^2"),
+    ("mu", "friction coefficient", trough.quantity("mu"), "1"),
     ("theta", "angle of Inclination of the solar concentrator [Degree]", theta, "deg"),
     ("rho", "density of water [kg/m³]", rho, "kg/m^3"),
     ("omega", "ω = Ω angular velocity [rad/s]", omega, "rad/s"),
     ("I_zz", "I_xx, I_yy, I_zz moment of inertia x, y, z of the system [N m²]",
-     trough["inertia"], "N m^2"),
+     matrix([trough.quantity("I_xx"), trough.quantity("I_yy"), trough["inertia"]]), "N m^2"),
 )  # fmt: skip
 for symbol, row, value, unit in ROWS:
     p.in_unit(f"unit {symbol}", row, value, unit)
 
-degree = p.constant("degree", degrees(1), "a degree", unit=RADIAN, latex=r"1^\circ")
-p.equation(
+p.unchecked(
+    "unit t",
+    "time [s]",
+    "It stands in no equation that is left, and in none of the trough's page, where rates stand "
+    "for it: a second would be compared with nothing.",
+)
+p.unchecked(
     "degrees",
-    words="angular velocity in rad/s, as the rate of theta in degrees",
-    quote="θ angle of Inclination of the solar concentrator [Degree] [...] ω = Ω angular velocity "
-    "[rad/s]",
-    claims=omega,
-    printed=time_derivative(
-        p.define(
-            "theta_deg",
-            theta / degree,
-            because="The number that the nomenclature's unit gives.",
-            meaning="theta in degrees",
-            latex=r"\theta_\mathrm{deg}",
-        )
-    ),
+    "theta in degrees, omega in rad/s",
+    "Nothing that is left says that omega is the rate of theta. On the trough's page it is, with "
+    "both in radians; a rate of theta in degrees would be 180/pi times as large.",
 )
 p.unchecked(
     "unit d_rec",

@@ -1,10 +1,10 @@
 """The balance of forces: what the bearings carry, and why one freedom is enough."""
 
-from armillary import Body, Matrix, Z, cos, elementary, sin, time_derivative, vector
-from armillary.derivation.units import NEWTON, NEWTON_METRE
+from armillary import Matrix, Z, cos, elementary, sin, time_derivative, vector
+from armillary.derivation.units import NEWTON
 
-from .symbols import SECOND_MOMENT, alpha, d, g, omega, r_A, r_B, theta
-from .water import S, inertia, m_all
+from .symbols import alpha, d, g, omega, r_A, r_B, theta
+from .water import S, m_all
 
 UP = vector(0, 1, 0)
 AXIS = vector(0, 0, 1)
@@ -30,7 +30,8 @@ F_held = d.define(
     - (omega * omega) * S
     + (m_all * g) * vector(sin(theta), cos(theta), 0),
     because="The water's own motion, its sideways force in the turning trough, the pull to the "
-    "axis, and the weight of all. The paper's (2) has the acceleration of the concentrator alone.",
+    "axis, and the weight of all, for either bearing together. Ours, in place of the paper's right "
+    "side, which has the acceleration of the concentrator alone.",
     meaning="force of both bearings at no angular acceleration, frame of the trough",
     unit=NEWTON,
     latex=r"\mathbf{F}_0",
@@ -38,7 +39,8 @@ F_held = d.define(
 F_all = d.define(
     "F_all",
     F_held + alpha * lever,
-    because="The balance of forces: the rate of momentum is what acts, bearings and weight.",
+    because="The balance of forces, the paper's line (2) with the water's momentum added: the rate "
+    "of momentum is what acts, bearings and weight.",
     meaning="force of both bearings on the trough, frame of the trough",
     unit=NEWTON,
     printed="2",
@@ -55,7 +57,7 @@ share_A = d.define(
     "share_A",
     r_B / (r_A + r_B),
     because="The trough is symmetric about the plane across the axis through O, where its mass "
-    "centre lies: the nearer bearing carries more.",
+    "centre lies: the nearer bearing carries more. The section in three dimensions has the rest.",
     meaning="part of the force that bearing A carries",
     latex=r"\kappa_A",
 )
@@ -80,30 +82,4 @@ d.identity(
     "with this split no moment is left across the axis: one freedom is enough",
     (r_A * AXIS).cross(_A) - (r_B * AXIS).cross(_B),
     vector(0, 0, 0),
-)
-
-# ---- the same in three dimensions ----
-
-_MOMENT = {"unit": SECOND_MOMENT, "limits": (0.0, 1e6), "range": (1.0, 50.0)}
-I_xx = d.scalar("I_xx", "moment of inertia of all mass about xi", latex="I_{xx}", **_MOMENT)
-I_yy = d.scalar("I_yy", "moment of inertia of all mass about eta", latex="I_{yy}", **_MOMENT)
-asked = d.define(
-    "asked",
-    Body(m_all, vector(I_xx, I_yy, inertia)).moment(omega * AXIS, alpha * AXIS),
-    because="Euler's equations for the water held. The plane z = 0, about which all mass is "
-    "symmetric, makes the axis a principal one; the two others are named after xi and eta, where "
-    "they lie does not matter.",
-    meaning="moment about O that turns trough and water as one body",
-    unit=NEWTON_METRE,
-    latex=r"\mathbf{M}_O",
-)
-d.identity(
-    "turning asks for no moment across the axis, whatever I_xx and I_yy are",
-    asked,
-    (inertia * alpha) * AXIS,
-)
-d.identity(
-    "nor for a force along it: all mass moves in planes across the axis",
-    F_all.dot(AXIS),
-    0 * F_all.x,
 )

@@ -67,12 +67,12 @@ def between(a, b):
     return np.arctan2(np.linalg.norm(np.cross(a, b), axis=-1), np.sum(a * b, axis=-1))
 
 
-def year(kernels, kernel, backtrack):
+def year(kernels, kernel, backtrack, settings=SETTINGS):
     """Every site, axis and hour, by the kernel and by pvlib: a dictionary of arrays."""
     tracking = need("pvlib.tracking")
     collected = []
     for k, (zenith, azimuth) in enumerate(suns()):
-        chosen = SETTINGS[k % len(SETTINGS)]
+        chosen = settings[k % len(settings)]
         for axis in AXES:
             given = {"enu": direction(zenith, azimuth), **mount(*axis)}
             more = {"backtrack": False, "max_angle": 180.0}
@@ -107,6 +107,19 @@ def year_by_pvlib(kernels):
 def backtracking_by_pvlib(kernels):
     """With backtracking, on slopes of either sign, between limits that are not symmetric."""
     yield from _year(kernels, "single_axis_backtrack", True, ", backtracking")
+
+
+def backtracking_without_limits(kernels):
+    """Every cover and slope at every site, with no limit at which rotations agree by themselves."""
+    kernel = "single_axis_backtrack"
+    for cover, slope, *_ in SETTINGS:
+        points = year(kernels, kernel, True, [(cover, slope, -180.0, 180.0)])
+        day = np.isfinite(points["tracker_theta"])
+        yield compare(
+            f"rotation over a year, cover {cover:g}, slope {slope:g} degrees, no limits", "pvlib",
+            points["rotation"][day], points["tracker_theta"][day], ALLOWED,
+            inputs_of(points, day, True), kernel, relative=False, turn=True,
+        )  # fmt: skip
 
 
 def _year(kernels, kernel, backtrack, told):

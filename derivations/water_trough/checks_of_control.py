@@ -18,8 +18,6 @@ def settings(random):
     between = random.uniform
     on = between(1e-3, 0.05, PUMPS)
     return {
-        "A_1": between(0.02, 0.2, PUMPS), "A_2": between(0.02, 0.2, PUMPS),
-        "h_10": between(0.05, 0.1, PUMPS), "h_20": between(0.05, 0.1, PUMPS),
         "h_max": between(0.15, 0.3, PUMPS), "q_pump": between(1e-6, 1e-3, PUMPS),
         "band_on": on, "band_off": on * between(-1, 1, PUMPS),
     }  # fmt: skip
@@ -29,23 +27,24 @@ def traces(random, given):
     """What the law hears, (samples, pumps).
 
     The errors wander to and fro over both bands, the angle wanted goes through half a turn, and
-    the volume moved goes beyond the levels of either container, both ways.
+    the levels go beyond either container, both ways, each in a time of its own: water is lost.
     """
     shape = SAMPLES, PUMPS
     phase = np.arange(SAMPLES)[:, None] * random.uniform(0.02, 0.2, PUMPS)
     error = given["band_on"] * (2 * np.sin(phase) + random.normal(0, 0.4, shape))
     wanted = np.linspace(2.6, 3.7, SAMPLES)[:, None] * random.choice([-1, 1], PUMPS)
     lapse = 2 * np.pi * random.integers(-2, 3, shape)
-    reach = np.minimum(given["A_1"] * given["h_max"], given["A_2"] * given["h_max"])
-    volume = 0.8 * reach * np.sin(0.37 * phase + random.uniform(0, 6, PUMPS))
-    return {"theta_ref": wanted, "theta_measured": wanted - error + lapse, "s": volume}
+    start = random.uniform(0, 6, PUMPS)
+    levels = (0.5 + 0.8 * np.sin(pace * phase + start) for pace in (0.37, -0.41))
+    level_1, level_2 = (given["h_max"] * level for level in levels)
+    return {"theta_ref": wanted, "theta_measured": wanted - error + lapse,
+            "level_1": level_1, "level_2": level_2}  # fmt: skip
 
 
 def machine(running, setting, heard):
     """The pump that runs next, and why it does not when the levels forbid it, for one pump."""
     error = math.remainder(heard["theta_ref"] - heard["theta_measured"], 2 * math.pi)
-    level_1 = setting["h_10"] + heard["s"] / setting["A_1"]
-    level_2 = setting["h_20"] - heard["s"] / setting["A_2"]
+    levels = level_1, level_2 = heard["level_1"], heard["level_2"]
     if error > setting["band_on"]:
         wish = 1
     elif error < -setting["band_on"]:
@@ -58,9 +57,8 @@ def machine(running, setting, heard):
         wish = 0
     full, empty = (level_1, level_2) if wish == 1 else (level_2, level_1)
     stopped = wish != 0 and (full >= setting["h_max"] or empty <= 0)
-    levels = level_1, level_2
-    spilt = min(levels) < 0 or max(levels) > setting["h_max"]
-    return (0 if stopped else wish), (Status.LIMIT if stopped or spilt else Status.OK)
+    astray = min(levels) < 0 or max(levels) > setting["h_max"]
+    return (0 if stopped else wish), (Status.LIMIT if stopped or astray else Status.OK)
 
 
 def by_machine(given, heard):
@@ -117,10 +115,9 @@ def _exercised(pumps, statuses, given):
     )  # fmt: skip
 
 
-EXACT = {"A_1": 1.0, "A_2": 1.0, "h_10": 0.125, "h_20": 0.125, "h_max": 0.25, "q_pump": 0.5,
-         "band_on": 0.5, "band_off": -0.25}  # fmt: skip
-# Pump, error and volume; the pump that must run next. With these containers one is full and the
-# other empty at a volume of 0.125 either way.
+EXACT = {"h_max": 0.25, "q_pump": 0.5, "band_on": 0.5, "band_off": -0.25}
+# Pump, error and rise of the first level over the second's fall, from half full; the pump that must
+# run next. One container is full and the other empty at a rise of 0.125 either way.
 STEPS = (
     (0, 0.0, 0.0, 0), (0, 0.4, 0.0, 0), (0, 0.6, 0.0, 1), (0, -0.4, 0.0, 0), (0, -0.6, 0.0, -1),
     (1, 0.4, 0.0, 1), (1, -0.2, 0.0, 1), (1, -0.3, 0.0, 0), (1, -0.6, 0.0, -1),
@@ -130,7 +127,7 @@ STEPS = (
     (1, 0.6, 0.2, 0), (-1, -0.6, 0.2, -1), (1, -3.0, 0.0, -1), (1, 3.0, 0.0, 1),
     (1, 3.3, 0.0, -1), (1, -3.3, 0.0, 1),
 )  # fmt: skip
-# Pump that is asked for, volume, height of the containers; whether it runs. One container is just
+# Pump that is asked for, rise, height of the containers; whether it runs. One container is just
 # empty, or the other one just full, and not both.
 EDGES = (
     (1, 0.125, 0.5, False), (1, 0.1249, 0.5, True), (-1, 0.125, 0.5, True),
@@ -140,10 +137,16 @@ EDGES = (
 )  # fmt: skip
 
 
+def risen(rise):
+    """Levels, that of container 1 risen by as much as the other has sunk."""
+    return {"level_1": 0.125 + np.asarray(rise), "level_2": 0.125 - np.asarray(rise)}
+
+
 def law_by_hand(kernels):
     """Single steps, at the edges too; and bands that contradict each other are refused."""
-    pump, error, volume, wanted = np.array(STEPS).T
-    heard = {"pump": pump, "theta_ref": error, "theta_measured": np.zeros(len(pump)), "s": volume}
+    pump, error, rise, wanted = np.array(STEPS).T
+    still = np.zeros(len(pump))
+    heard = {"pump": pump, "theta_ref": error, "theta_measured": still, **risen(rise)}
     found = kernels.pump_control_update(**heard, **EXACT)
     yield compare(
         "single steps: dead band, hysteresis, half a turn, containers full and empty", "by hand",
@@ -152,7 +155,7 @@ def law_by_hand(kernels):
     yield from _edges(kernels)
     off = np.array([0.50001, -0.50001, 0.5, -0.5, 0.0])
     status = [Status.UNREACHABLE] * 2 + [Status.OK] * 3
-    heard = {"pump": 0.0, "theta_ref": 0.1, "theta_measured": 0.0, "s": 0.0}
+    heard = {"pump": 0.0, "theta_ref": 0.1, "theta_measured": 0.0, **risen(0.0)}
     found = kernels.pump_control_update(**heard, **{**EXACT, "band_off": off})
     yield compare(
         "an error to stop at that lies beyond the one to start at is refused", "by hand",
@@ -166,8 +169,8 @@ def law_by_hand(kernels):
 
 def _edges(kernels):
     """A level stops just the pump that would carry it farther."""
-    asked, volume, height, runs = np.array(EDGES, dtype=float).T
-    heard = {"pump": 0.0, "theta_ref": asked, "theta_measured": 0.0, "s": volume}
+    asked, rise, height, runs = np.array(EDGES, dtype=float).T
+    heard = {"pump": 0.0, "theta_ref": asked, "theta_measured": 0.0, **risen(rise)}
     given = {**EXACT, "h_max": height}
     found = kernels.pump_control_update(**heard, **given)
     status = np.where(runs > 0, Status.OK, Status.LIMIT)

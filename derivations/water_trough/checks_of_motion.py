@@ -1,5 +1,7 @@
 """Acceleration, reactions, friction and pressure against other models of the same trough."""
 
+import inspect
+
 import numpy as np
 
 from armillary import Status
@@ -8,7 +10,7 @@ from armillary.verify.measured import compare
 from armillary.verify.points import chosen
 
 from .euler_lagrange import equations
-from .parcels import bearings, demand, state, sums, tube
+from .parcels import bearings, bends, demand, offsets, state, sums, tube
 from .samples import awkward, call, fast, joined, rows
 
 
@@ -82,9 +84,14 @@ def _with_friction(kernels, points):
             getattr(forces, name).reshape(-1, 2), [pair[k] for pair in pairs], 1e-10, points,
             "reactions",
         )  # fmt: skip
+    told = call(kernels.power, points)
+    booked = [
+        n.power - n.moment[2] * row["omega"] for n, row in zip(needs, rows(points), strict=True)
+    ]
+    yield compare("power of the pump", "parcels", told.pump, booked, 1e-9, points, "power")
     yield compare(
-        "no force along the axis", "parcels", [n.force[2] for n in needs], 0.0, 1e-9, points,
-        "reactions", relative=False,
+        "heat of the bearings", "parcels", told.heat, -friction.M_F * points["omega"], 1e-13,
+        points, "power",
     )  # fmt: skip
     power = [n.power for n in needs] - friction.M_F * points["omega"]
     yield compare(
@@ -92,6 +99,74 @@ def _with_friction(kernels, points):
         call(kernels.pump_pressure, points).pressure, power / points["q"], 1e-9, points,
         "pump_pressure",
     )  # fmt: skip
+
+
+# -- three dimensions ---------------------------------------------------------------------------
+
+
+def off_the_plane(kernels):
+    """Containers, tube and trough off the middle plane: force along z, moment, and the split."""
+    random = np.random.default_rng(9)
+    points = fast(9, 60)
+    aside = {name: random.uniform(-0.4, 0.4, 60) for name in ("z_1", "z_2", "z_M", "lean")}
+    points.update(aside, sag=random.uniform(0.05, 0.3, 60))
+    found = [{**tube(row), **offsets(row)} for row in rows(points)]
+    points.update({name: np.array([one[name] for one in found]) for name in found[0]})
+    points["alpha"] = random.uniform(-3.0, 3.0, 60)
+    needs = [demand(row, row["alpha"]) for row in rows(points)]
+    told = call(kernels.reactions_off, points)
+    yield compare(
+        "force along the axis, trough without symmetry", "parcels", told.F_z,
+        [n.force[2] for n in needs], 1e-9, points, "reactions_off",
+    )  # fmt: skip
+    c, s = np.cos(points["theta"]), np.sin(points["theta"])
+    x, y, z = np.array([n.moment for n in needs]).T
+    yield compare(
+        "moment about O, trough without symmetry", "parcels", told.M_O.reshape(-1, 3),
+        np.stack([c * x + s * y, c * y - s * x, z], axis=-1), 1e-10, points, "reactions_off",
+    )  # fmt: skip
+    pairs = [bearings(row, n.force, n.moment) for row, n in zip(rows(points), needs, strict=True)]
+    for k, name in enumerate(("F_A", "F_B")):
+        force = np.array([pair[k] for pair in pairs])
+        yield compare(
+            f"{name} without symmetry", "parcels", getattr(told, name).reshape(-1, 2), force, 1e-10,
+            points, "reactions_off",
+        )  # fmt: skip
+    both = told.F_A.reshape(-1, 2) + told.F_B.reshape(-1, 2)
+    share = points["r_B"] / (points["r_A"] + points["r_B"])
+    miss = np.linalg.norm(told.F_A.reshape(-1, 2) - share[:, None] * both, axis=1)
+    yield compare(
+        "without symmetry the distances alone do not tell the split", "reactions_off",
+        np.median(miss / np.linalg.norm(both, axis=1)) > 0.01, 1.0, 0.0, {"motions": 60},
+        "reactions_off",
+    )  # fmt: skip
+    nothing = dict.fromkeys(("z_1", "z_2", "S_z", "D_xi", "D_eta", "G_xi", "G_eta"), np.zeros(60))
+    plain = {**points, **nothing}
+    plain["alpha"] = call(kernels.acceleration, plain).alpha
+    told, forces = call(kernels.reactions_off, plain), call(kernels.reactions, plain)
+    for name in ("F_A", "F_B"):
+        yield compare(
+            f"{name} of the symmetric trough", "reactions", getattr(told, name),
+            getattr(forces, name), 1e-12, plain, "reactions_off",
+        )  # fmt: skip
+
+
+def tube_of_parts(kernels):
+    """Length, mass and moments of the tube's straight parts add up to those of its parcels."""
+    points = whole(10)
+    corners = np.array([bends(row) for row in rows(points)])
+    told = kernels.tube_part(
+        xi_a=corners[:, :-1, 0], eta_a=corners[:, :-1, 1], xi_b=corners[:, 1:, 0],
+        eta_b=corners[:, 1:, 1],
+        **{n: points[n][:, None] for n in inspect.signature(kernels.tube_part).parameters
+           if n in points},
+    )  # fmt: skip
+    names = ("L_t", "m_t", "S_t_xi", "S_t_eta", "I_t", "Gamma_t")
+    for name, field in zip(names, told._fields, strict=False):
+        yield compare(
+            f"{name} from straight parts", "parcels", getattr(told, field).sum(axis=1),
+            points[name], 1e-12, points, "tube_part", relative=False,
+        )  # fmt: skip
 
 
 # -- friction -------------------------------------------------------------------------------------
@@ -223,6 +298,15 @@ def refused_and_told(kernels):
             kernels, {**base, name: -np.abs(base[name])}, Status.OUT_OF_RANGE, f"negative {name}",
             ("acceleration",) if name != "a_t" else ("energy",),
         )  # fmt: skip
+    contradictions = {
+        "less inertia than the mass at its centre": {"I_zz": 0.99 * base["M"] * base["l"] ** 2},
+        "a tube of more water than it holds": {"m_t": 1.01 * base["m_t"]},
+        "a tube of less water than it holds": {"m_t": 0.99 * base["m_t"]},
+        "a flow of more momentum than its energy allows": {"Gamma_t": 1e4 + 0 * base["s"]},
+    }
+    for what, changed in contradictions.items():
+        names = WATERY[1:] if "tube" in what else WATERY[1:8]
+        yield from _status(kernels, {**base, **changed}, Status.UNREACHABLE, what, names)
     yield from _status(
         kernels, {**base, "theta": 0 * base["s"] + np.nan}, Status.NOT_FINITE, "no angle",
         ("acceleration", "reactions"),
@@ -241,7 +325,7 @@ def refused_and_told(kernels):
 
 WATERY = (
     "levels", "energy", "acceleration", "acceleration_smooth", "friction", "reactions",
-    "pump_pressure", "rest_angle", "rest", "linear", "stick_band",
+    "pump_pressure", "power", "rest_angle", "rest", "linear", "stick_band",
 )  # fmt: skip
 
 

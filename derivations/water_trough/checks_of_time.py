@@ -1,4 +1,4 @@
-"""The trough in time: the book of energy, swings, following, and the cycle of the pump."""
+"""The trough in time: the book of energy, swings, following, and breaking away."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,39 +9,36 @@ from armillary.verify.engines import need
 from armillary.verify.measured import compare
 from armillary.verify.parameters import read_parameters
 
-from .motion_of import Motion, closed, compiled
-from .pumping import Piece, joined, pulses
+from .motion_of import Motion, closed, compiled, energies
+from .pumping import Piece, experiment, joined
 from .troughs import trough
 
-SECONDS = 200.0
+PARAMETERS = read_parameters(Path(__file__).with_name("parameters.toml"))
 
 
 def small(**changed):
     """The smaller trough of the study."""
-    given = trough(read_parameters(Path(__file__).with_name("parameters.toml")))
-    return {**given, **changed}
+    return {**trough(PARAMETERS), **changed}
 
 
 def energy_closes(kernels):
     """Over three pulses of the pump; with friction the trough stands after each."""
     fast = compiled(kernels)
-    pieces = pulses(
-        0.0, 0.4, (5.0, 12.0, 4e-5), (53.0, 20.0, -6e-5), (45.0, 8.0, 5e-5), (57.0, 0.0, 0.0)
-    )
+    pieces, long = experiment(PARAMETERS.pulses, 1.0), PARAMETERS.pulses.length
     for given, part, what in (
         (small(), 1e-8, "with stick and slip"), (small(mu=0.0), 1e-9, "without friction"),
     ):  # fmt: skip
         first = float(fast.rest_angle(s=0.0, **given).theta)
         record = Motion(fast, given).run(pieces, first)
-        found = fast.energy(**given, **{n: v for n, v in record.states.items() if n != "q_dot"})
-        lost = np.max(np.abs(closed(fast, given, record))) / np.ptp(found.T + found.V)
-        at = {"seconds": SECONDS, "mu": given["mu"], "steps": len(record.rows)}
+        span = np.ptp(energies(fast, given, record))
+        lost = np.max(np.abs(closed(fast, given, record))) / span
+        at = {"seconds": long, "mu": given["mu"], "steps": len(record.rows)}
         yield compare(
-            f"energy over {SECONDS:g} s {what}, by its range", "SciPy", lost, 0.0, part, at,
+            f"energy over {long:g} s {what}, by its range", "SciPy", lost, 0.0, part, at,
             "pump_pressure", relative=False,
         )  # fmt: skip
         end = record.rows[-1][0]
-        yield compare(f"all of the {SECONDS:g} s {what}", "SciPy", end, SECONDS, 1e-9, at)
+        yield compare(f"all of the {long:g} s {what}", "SciPy", end, long, 1e-9, at)
         if given["mu"]:
             stands = [name for _, _, name in record.events].count("stick")
             yield compare(
@@ -133,48 +130,6 @@ def following(kernels):
     yield compare(
         "the rest turns as it is to", "rest_angle", drift, 0.0, 1e-12, {"rates": 3},
         "rest_volume", relative=False,
-    )  # fmt: skip
-
-
-# -- the cycle of an on-off pump ------------------------------------------------------------------
-
-
-def _cycle(kernels, given, rate, s):
-    """Times of a cycle when the trough stands at the edge of friction while the pump runs."""
-
-    def stands(volume):
-        rest = float(kernels.rest_angle(s=volume, **given).theta)
-        return rest - float(kernels.stick_band(s=volume, **given).half_width)
-
-    swept = given["band_on"] - given["band_off"]
-    first = stands(s)
-
-    def ahead(time):
-        return stands(s + given["q_pump"] * time) - first - swept - rate * time
-
-    run = need("scipy.optimize").brentq(ahead, 0.0, 400.0, xtol=1e-12)
-    return run, swept / rate + run
-
-
-def cycle_by_search(kernels):
-    """To first order in what the error sweeps without friction; with it, to first order of it."""
-    rate, s = 7e-5, -5e-4
-
-    def missed(swept, mu):
-        given = small(mu=mu, q_pump=8e-6, band_on=swept, band_off=0.0)
-        found = kernels.cycle(s=s, theta_dot_ref=rate, **given)
-        wanted = _cycle(kernels, given, rate, s)
-        return [abs(float(f) - w) / w for f, w in zip(found[:2], wanted, strict=True)]
-
-    coarse, fine = missed(8e-3, 0.0), missed(4e-3, 0.0)
-    at = {"swept": np.array([8e-3, 8e-3])}
-    yield compare(
-        "order of the times of the pump's cycle, in what the error sweeps", "halving",
-        np.log2(np.array(coarse) / fine), 1.0, 0.05, at, "cycle", relative=False,
-    )  # fmt: skip
-    yield compare(
-        "the times themselves, for an error of a thousandth of a radian and friction", "SciPy",
-        missed(1e-3, small()["mu"]), 0.0, 0.02, at, "cycle", relative=False,
     )  # fmt: skip
 
 

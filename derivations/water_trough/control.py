@@ -2,14 +2,22 @@
 
 from armillary import absolute, where, wrap
 
-from .symbols import FLOW, d
-from .volumes import band_off, band_on, q_pump
-from .water import h_1, h_2, h_max
+from .cycle import band_off, band_on, q_pump
+from .symbols import FLOW, METRE, d
+from .water import h_max
 
-theta_ref = d.angle("theta_ref", "angle wanted", range=(-1.6, 1.6), latex=r"\theta_\mathrm{ref}")
+theta_ref = d.angle(
+    "theta_ref",
+    "angle wanted; at night, where the single axis answers BELOW_HORIZON, the angle to wait at",
+    range=(-1.6, 1.6),
+    latex=r"\theta_\mathrm{ref}",
+)
 theta_measured = d.angle(
     "theta_measured", "angle measured", range=(-1.6, 1.6), latex=r"\theta_\mathrm{m}"
 )
+_LEVEL = {"unit": METRE, "limits": (-10.0, 10.0), "range": (0.0, 0.3)}
+level_1 = d.scalar("level_1", "level measured in container 1", latex=r"\hat{h}_1", **_LEVEL)
+level_2 = d.scalar("level_2", "level measured in container 2", latex=r"\hat{h}_2", **_LEVEL)
 pump = d.state.scalar(
     "pump",
     "which pump runs: 1 fills container 1, -1 fills container 2, 0 none",
@@ -52,9 +60,19 @@ wish = d.define(
 )
 blocked = d.define(
     "blocked",
-    ~(~((wish > 0) & ~((h_1 < h_max) & (h_2 > 0))) & ~((wish < 0) & ~((h_2 < h_max) & (h_1 > 0)))),
-    because="A pump does not run dry, and fills no container beyond its height.",
+    ~(
+        ~((wish > 0) & ~((level_1 < h_max) & (level_2 > 0)))
+        & ~((wish < 0) & ~((level_2 < h_max) & (level_1 > 0)))
+    ),
+    because="A pump does not run dry, and fills no container beyond its height. The levels are "
+    "measured: a volume summed up from the pump's flow drifts, and water evaporates.",
     meaning="whether the levels forbid the pump that is asked for",
+)
+astray = d.define(
+    "astray",
+    ~(~(level_1 < 0) & ~(level_2 < 0) & ~(level_1 > h_max) & ~(level_2 > h_max)),
+    because="Water was lost or spilt, or a sensor is at fault.",
+    meaning="whether a level measured lies outside its container",
 )
 pump_next = d.define(
     "pump_next",

@@ -1,11 +1,11 @@
 """Friction of the bearings, in closed form although the force on them holds the acceleration."""
 
-from armillary import hypot, one_like, sqrt, substitute, where
+from armillary import hypot, one_like, sqrt, substitute, time_derivative, where
 from armillary.derivation.units import METRE, NEWTON, NEWTON_METRE, RADIAN, SECOND
 
 from .balance import F_A, F_B, F_held, lever, share_A
-from .motion import drive, pressure
-from .symbols import SECOND_MOMENT, alpha, d, mu, omega, positive, r_f
+from .motion import T, V, drive, needed, pressure
+from .symbols import SECOND_MOMENT, alpha, d, mu, omega, positive, q, q_dot, r_f
 from .water import inertia
 
 jam_tolerance = d.constant(
@@ -29,13 +29,13 @@ arm = d.define(
     unit=METRE,
     latex="k",
 )
-weightless = d.define(
-    "weightless",
+inertialess = d.define(
+    "inertialess",
     ~(inertia > least_inertia),
     because="There is nothing to turn.",
     meaning="whether the trough has no moment of inertia",
 )
-_I = where(weightless, one_like(inertia), inertia)
+_I = where(inertialess, one_like(inertia), inertia)
 alpha_free = d.define(
     "alpha_free",
     drive / _I,
@@ -61,9 +61,10 @@ self_lever = d.define(
 )
 jammed = d.define(
     "jammed",
-    ~(~weightless & (self_lever.dot(self_lever) < 1 - jam_tolerance)),
+    ~(~inertialess & (self_lever.dot(self_lever) < 1 - jam_tolerance)),
     because="Where friction raises the force on the bearings by more than itself, no acceleration "
-    "balances, or two do. Bearings as wide as the trough's radius of gyration would do it.",
+    "balances, or two do. The arm k would have to be as long as the square of the radius of "
+    "gyration over the distance of the mass centre, and so at least as long as that radius.",
     meaning="whether the bearings would jam, or nothing has inertia",
 )
 
@@ -153,7 +154,8 @@ M_FA, M_FB = (
     d.define(
         f"M_F{letter}",
         share * M_F,
-        because="Each bearing by the force it carries.",
+        because="In motion each bearing has k times the force that it carries. At rest only the "
+        "sum is determined: that it is split alike there is a convention.",
         meaning=f"moment of friction of bearing {letter} on the trough",
         unit=NEWTON_METRE,
         latex=rf"M_{{F{letter}}}",
@@ -196,4 +198,48 @@ alpha_smooth = d.define(
     meaning="angular acceleration under smooth friction",
     unit=RADIAN / SECOND**2,
     latex=r"\tilde{\alpha}",
+)
+
+# What still water asks of friction at rest, and the most that friction could give.
+_drive, _most = (substitute(x, {omega: 0, q: 0, q_dot: 0}) for x in (drive, M_most))
+slips = d.define(
+    "slips",
+    ~((_most > _drive) & (_most > -_drive)),
+    because="Beyond what friction can carry nothing holds.",
+    meaning="whether the weight overcomes friction",
+)
+_safe = where(slips, 0, _drive)
+_room = (_most - _safe) * (_most + _safe)
+creep = d.define(
+    "creep",
+    omega_s * _safe / sqrt(where(slips, one_like(_room), _room)),
+    because="Where dry friction would hold, smooth friction carries the drive at the speed at "
+    "which tau is the part of the largest friction that the drive takes.",
+    meaning="angular velocity at which the trough creeps under smooth friction, the water at rest",
+    unit=RADIAN / SECOND,
+    latex=r"\omega_\mathrm{c}",
+)
+
+# ---- power ----
+
+pumped = d.define(
+    "pumped",
+    pressure_found * q,
+    because="Pressure times flow.",
+    meaning="power of the pump, without what the tube loses",
+    unit=NEWTON_METRE / SECOND,
+    latex="P_q",
+)
+lost = d.define(
+    "lost",
+    -M_F * omega,
+    because="Friction acts against the motion.",
+    meaning="power that the bearings turn into heat",
+    unit=NEWTON_METRE / SECOND,
+    latex="P_F",
+)
+d.identity(
+    "energy grows by what pump and outer moment put in, whatever the motion",
+    time_derivative(T + V),
+    pressure * q + needed * omega,
 )

@@ -2,7 +2,7 @@
 
 from armillary import one_like, partial, substitute, where
 
-from .friction import weightless
+from .friction import inertialess
 from .motion import V, drive
 from .rest import gain, stiffness
 from .symbols import d, g, omega, q, q_dot, rho, s, theta
@@ -21,10 +21,10 @@ d.identity(
     - partial(_V_theta, theta) * partial(_V_theta, s),
     (g * g) * (S.y * partial(S.x, s) - S.x * partial(S.y, s)),
 )
-_I = where(weightless, one_like(inertia), inertia)
+_I = where(inertialess, one_like(inertia), inertia)
 swing = d.define(
     "swing",
-    where(weightless, 0, stiffness / _I),
+    where(inertialess, 0, stiffness / _I),
     because="For small deviations e from the rest, and a small volume v moved since, the moment "
     "equation is I e'' = -K (e - gain v) - rho Gamma q'. Dry friction has no linear form: it is "
     "left out. This is the coefficient of e, with its sign turned.",
@@ -40,7 +40,7 @@ pull = d.define(
 )
 kick = d.define(
     "kick",
-    where(weightless, 0, rho * Gamma / _I),
+    where(inertialess, 0, rho * Gamma / _I),
     because="The moment of momentum that the flow takes up is missing to the trough: the "
     "coefficient of the rate of the flow, with its sign turned.",
     meaning="angular velocity that the trough loses per flow that the pump starts",

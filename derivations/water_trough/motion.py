@@ -50,7 +50,8 @@ drive = d.define(
 pressure = d.define(
     "pressure",
     time_derivative(partial(T, q)) - partial(T, s) + partial(V, s),
-    because="Lagrange's equation of the volume moved: what does work on a volume is a pressure.",
+    because="Lagrange's equation of the volume moved: what does work on a volume is a pressure. It "
+    "is called pressure since the C functions take their parameters as p.",
     meaning="pressure that the pump must give; losses in the tube come on top",
     unit=PASCAL,
     latex="p",

@@ -18,6 +18,7 @@ GRID = 257  # times in a piece at which friction is asked whether it holds
 POINTS = 8  # rows written of a piece in which the trough stands and water flows
 MOST = 100_000  # events of a motion
 SHORTEST = 1e-9  # s, of a slip
+LONGEST = 1e-3  # s, for which a trough on the edge of friction may seem not to set off
 TINY = 1e-300  # rad/s, a sense of motion without speed
 STATE = ("theta", "omega", "s", "q", "q_dot")
 NAMES = ("time", *STATE, "work", "heat")
@@ -122,7 +123,7 @@ class Motion:
         Raises:
             MotionError: where the kernels refuse a state.
         """
-        record = Record() if record is None else record
+        record, self.pause = Record() if record is None else record, 0.0
         y = np.array([theta, omega, *(record.rows[-1][6:] if record.rows else (0.0, 0.0))])
         first, last = pieces[0].start, pieces[-1].end
         for piece in pieces:
@@ -192,8 +193,7 @@ class Motion:
         # The event stands on interpolated values: the last step is taken once more, up to it.
         end, before = float(found.t_events[0][0]), found.t.size - 2
         if end <= time:  # on the edge of friction, within rounding: the trough stays where it is
-            self.pause = max(SHORTEST, 2 * self.pause)
-            return min(time + self.pause, piece.end), np.array([y[0], 0.0, y[2], y[3]])
+            return self._wait(piece, time, y)
         self.pause = 0.0
         y = _kept(found, piece, record, before)
         if end > found.t[before]:
@@ -203,6 +203,15 @@ class Motion:
             end, y = min(end - y[1] / slope[1], piece.end), y - y[1] / slope[1] * slope
         y[1] = 0.0
         return end, y
+
+    def _wait(self, piece, time, y):
+        """A little later, the trough not moved: its drive exceeds friction by a rounding only."""
+        self.pause = max(SHORTEST, 2 * self.pause)
+        if self.pause > LONGEST:
+            raise MotionError(f"at {time:g} s friction neither holds the trough nor lets it go")
+        end = min(time + self.pause, piece.end)
+        work = (end - time) * self._pumped(y[0], 0.0, piece((time + end) / 2)) if self.book else 0.0
+        return end, np.array([y[0], 0.0, y[2] + work, y[3]])
 
     def _until_rest(self, piece, time, y, sense):
         """The motion until its speed is 0, also where that is so for a part of a step only."""
@@ -276,12 +285,17 @@ def _kept(found, piece, record, last):
     return found.y[:, last].copy()
 
 
-def closed(kernels, trough, record):
-    """What is missing in the book of energy, J, at each row: 0 where it closes."""
+def energies(kernels, trough, record):
+    """Energy of trough and water at each row, J."""
     states = record.states
     del states["q_dot"]
     found = kernels.energy(**trough, **states)
-    energy = found.T + found.V
+    return found.T + found.V
+
+
+def closed(kernels, trough, record):
+    """What is missing in the book of energy, J, at each row: 0 where it closes."""
+    energy = energies(kernels, trough, record)
     return energy - energy[0] - record.column("work") + record.column("heat")
 
 

@@ -1,13 +1,16 @@
 """The trough as many parcels: sums over masses at their places, moved by the flow.
 
-Nothing is derived here. The dry trough is six point masses. The water is quadrature points along
-one path: from the surface of container 2 down to its floor, through a tube of straight pieces, and
-up to the surface of container 1. Volume along that path, from the floor of container 2 on, says
-where a parcel is; the flow carries every parcel along the path, the turn carries the path. Rates
-of sums are complex steps along the motion.
+Nothing is derived here. The dry trough is six point masses. The water fills one path: from the
+surface of container 2 down to its floor, through a tube of straight pieces, and up to the surface
+of container 1. Every stretch of the path tells where its middle line begins and ends, and what
+volume it holds. The flow carries volume along the path, the turn carries the path: a parcel moves
+at the flow times the way of its stretch per volume. The parcels that are summed are those at fixed
+parts of each stretch, by Gauss's rule; a stretch in a container ends at the surface, wherever that
+is. Rates of sums are complex steps along the motion.
 """
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -31,73 +34,108 @@ class Sums:
 
 def bends(p):
     """Corners of the tube, in the frame of the trough: from floor 2, under the axis, to floor 1."""
+    z_1, z_2 = p.get("z_1", 0.0), p.get("z_2", 0.0)
     return np.array([
-        [p["x_2"], p["y_2"]], [p["x_2"] * 0.8, p["y_2"] - p["sag"]],
-        [p["x_1"] * 0.7, p["y_1"] - 0.5 * p["sag"]], [p["x_1"], p["y_1"]],
+        [p["x_2"], p["y_2"], z_2], [p["x_2"] * 0.8, p["y_2"] - p["sag"], 1.5 * z_2],
+        [p["x_1"] * 0.7, p["y_1"] - 0.5 * p["sag"], z_1 - z_2], [p["x_1"], p["y_1"], z_1],
     ])  # fmt: skip
 
 
-def pieces(p):
-    """Start and way of each straight piece of the tube."""
+def _tube_parcels(p):
+    """Length, place and direction of the tube at the points of Gauss's rule."""
     corners = bends(p)
-    return list(zip(corners[:-1], np.diff(corners, axis=0), strict=True))
+    for start, way in zip(corners[:-1], np.diff(corners, axis=0), strict=True):
+        for node, weight in zip(_NODES, _WEIGHTS, strict=True):
+            yield weight * np.linalg.norm(way), start + node * way, weight * way
 
 
 def tube(p):
     """Parameters of the tube by quadrature: length, mass, moments, and the area it sweeps."""
     found = dict.fromkeys(("L_t", "m_t", "S_t_xi", "S_t_eta", "I_t", "Gamma_t"), 0.0)
-    for start, way in pieces(p):
-        long = float(np.linalg.norm(way))
-        for node, weight in zip(_NODES, _WEIGHTS, strict=True):
-            x, y = start + node * way
-            mass = p["rho"] * p["a_t"] * long * weight
-            parts = {
-                "L_t": long * weight, "m_t": mass, "S_t_xi": mass * x, "S_t_eta": mass * y,
-                "I_t": mass * (x * x + y * y), "Gamma_t": weight * (x * way[1] - y * way[0]),
-            }  # fmt: skip
-            found = {name: found[name] + parts[name] for name in found}
+    for long, (x, y, _), way in _tube_parcels(p):
+        mass = p["rho"] * p["a_t"] * long
+        parts = {
+            "L_t": long, "m_t": mass, "S_t_xi": mass * x, "S_t_eta": mass * y,
+            "I_t": mass * (x * x + y * y), "Gamma_t": x * way[1] - y * way[0],
+        }  # fmt: skip
+        found = {name: float(found[name] + parts[name]) for name in found}
+    return found
+
+
+def offsets(p):
+    """What symmetry about the plane z = 0 makes 0, of tube and dry trough, by quadrature."""
+    masses, places, _ = _dry(p)
+    x, y, z = places.T
+    found = {"S_z": masses @ z, "D_xi": masses @ (x * z), "D_eta": masses @ (y * z)}
+    found.update(G_xi=0.0, G_eta=0.0)
+    for long, (x, y, z), way in _tube_parcels(p):
+        mass = p["rho"] * p["a_t"] * long
+        parts = {
+            "S_z": mass * z, "D_xi": mass * x * z, "D_eta": mass * y * z,
+            "G_xi": y * way[2] - z * way[1], "G_eta": z * way[0] - x * way[2],
+        }  # fmt: skip
+        found = {name: float(found[name] + parts[name]) for name in found}
     return found
 
 
 def _dry(p):
     """Masses, places and no speed: six points with the mass, centre and inertia of the dry trough.
 
-    They stand in pairs about the centre of mass, along eta, along xi and along z.
+    They stand in pairs about the centre of mass, along eta, along xi and along z. The centre may
+    be off the middle plane, by `z_M`, and the pairs across the axis may lean, by `lean`.
     """
-    centre = p["l"] * np.array([np.cos(p["lam"]), np.sin(p["lam"]), 0.0])
+    lean = p.get("lean", 0.0)
+    middle = [p["l"] * np.cos(p["lam"]), p["l"] * np.sin(p["lam"]), p.get("z_M", 0.0)]
     reach = np.sqrt(1.5 * (p["I_zz"] / p["M"] - p["l"] ** 2))
-    arms = np.array([[reach, 0, 0], [0, reach, 0], [0, 0, 0.4]])
-    places = np.concatenate([centre + arms, centre - arms])
+    arms = np.array([[reach, 0, lean], [0, reach, -2 * lean], [0, 0, 0.4]])
+    places = np.concatenate([middle + arms, middle - arms])
     return np.full(6, p["M"] / 6), places, 0 * places
 
 
-def _column(p, area, floor, height, rise):
-    """Parcels of a container: over its length, width and height; they rise at a speed."""
-    z, x, y = np.meshgrid(_NODES - 0.5, _NODES - 0.5, _NODES, indexing="ij")
-    weight = np.einsum("i,j,k->ijk", _WEIGHTS, _WEIGHTS, _WEIGHTS).ravel()
-    places = np.stack([
-        floor[0] + p["w"] * x.ravel(), floor[1] + height * y.ravel(), area / p["w"] * z.ravel()
-    ], axis=-1)  # fmt: skip
-    return p["rho"] * area * height * weight, places, rise * np.broadcast_to(UP, places.shape)
+@dataclass(frozen=True)
+class Stretch:
+    """A part of the water's path: its middle line, the volume along it, how wide it spreads."""
+
+    begin: np.ndarray
+    end: np.ndarray
+    volume: complex
+    across: float = 0.0
+    along: float = 0.0
+
+    def parcels(self, density, flow):
+        """Masses, places and speeds, in the frame of the trough."""
+        wide = [_NODES if extent else np.array([0.5]) for extent in (self.across, self.along)]
+        weigh = [_WEIGHTS if extent else np.array([1.0]) for extent in (self.across, self.along)]
+        u, x, z = (part.ravel() for part in np.meshgrid(_NODES, *wide, indexing="ij"))
+        weight = np.einsum("i,j,k->ijk", _WEIGHTS, *weigh).ravel()
+        way = self.end - self.begin
+        spread = np.stack([self.across * (x - 0.5), 0 * x, self.along * (z - 0.5)], axis=-1)
+        places = self.begin + u[:, None] * way + spread
+        return density * self.volume * weight, places, flow * way / self.volume + 0 * places
 
 
-def _water(p, s, q):
-    """Masses, places and speeds in the trough's frame of all water."""
-    parts = [
-        _column(p, p["A_1"], (p["x_1"], p["y_1"]), p["h_10"] + s / p["A_1"], q / p["A_1"]),
-        _column(p, p["A_2"], (p["x_2"], p["y_2"]), p["h_20"] - s / p["A_2"], -q / p["A_2"]),
-    ]
-    for start, way in pieces(p):
-        long = np.linalg.norm(way)
-        flat = np.concatenate([start + _NODES[:, None] * way, np.zeros((4, 1))], axis=1)
-        speed = q / p["a_t"] * np.append(way / long, 0.0)
-        parts.append((p["rho"] * p["a_t"] * long * _WEIGHTS, flat, speed + 0 * flat))
-    return parts
+def path(p, s):
+    """The stretches from the surface in container 2 to the surface in container 1.
+
+    Containers and the tube between them may stand off the middle plane, at `z_1` and `z_2`.
+    """
+    ends = {}
+    for k, volume in ((1, p["A_1"] * p["h_10"] + s), (2, p["A_2"] * p["h_20"] - s)):
+        floor = np.array([p[f"x_{k}"], p[f"y_{k}"], p.get(f"z_{k}", 0.0)])
+        surface = floor + volume / p[f"A_{k}"] * UP
+        ends[k] = floor, surface, volume, p["w"], p[f"A_{k}"] / p["w"]
+    floor, surface, *rest = ends[2]
+    found = [Stretch(surface, floor, *rest)]
+    corners = bends(p)
+    for begin, end in pairwise(corners):
+        found.append(Stretch(begin, end, p["a_t"] * np.linalg.norm(end - begin)))
+    floor, surface, *rest = ends[1]
+    return [*found, Stretch(floor, surface, *rest)]
 
 
 def sums(p, theta, omega, s, q):
     """Everything that is summed, at a state that may be complex."""
-    parts = [_dry(p), *_water(p, s, q)]
+    parts = [_dry(p), *(stretch.parcels(p["rho"], q) for stretch in path(p, s))]
     mass = np.concatenate([m for m, _, _ in parts])
     place = np.concatenate([r for _, r, _ in parts])
     speed = np.concatenate([v for _, _, v in parts])

@@ -68,3 +68,12 @@ def pulses(s, ramp, *given):
         if flow:
             legs += [(ramp, flow), (length - 2 * ramp, flow), (ramp, 0.0)]
     return joined(s, 0.0, *legs)
+
+
+def experiment(settings, scale):
+    """The pieces of flow of three pulses, the flow scaled."""
+    runs, end = [], 0.0
+    for begin, run, flow in zip(settings.begin, settings.run, settings.flow, strict=True):
+        runs.append((begin - end, run, scale * flow))
+        end = begin + run
+    return pulses(0.0, settings.ramp, *runs, (settings.length - end, 0.0, 0.0))

@@ -13,7 +13,7 @@ from armillary import (
 )  # fmt: skip
 from armillary.derivation.units import METRE, NEWTON_METRE, RADIAN, SECOND
 
-from .friction import arm, weightless
+from .friction import arm, inertialess
 from .motion import V
 from .symbols import FLOW, VOLUME, d, g, s, theta
 from .water import S, inertia, m_all
@@ -83,7 +83,7 @@ still = d.define(
     because="Without weight nothing swings.",
     meaning="whether nothing drives the trough back",
 )
-_idle = ~(~still & ~weightless)
+_idle = ~(~still & ~inertialess)
 period = d.define(
     "period",
     2 * PI * sqrt(where(_idle, 0, inertia / where(_idle, one_like(stiffness), stiffness))),
@@ -126,8 +126,8 @@ q_follow = d.define(
 
 # ---- friction at rest ----
 
-loose = d.define(
-    "loose",
+held_everywhere = d.define(
+    "held_everywhere",
     ~(~indifferent & (g > 0) & (reach > arm * m_all)),
     because="The largest moment of the weight about the axis does not overcome friction.",
     meaning="whether friction holds the trough at every angle",
@@ -135,7 +135,9 @@ loose = d.define(
 half_width = d.define(
     "half_width",
     where(
-        loose, PI, arcsin(where(loose, 0, arm * m_all / where(indifferent, one_like(reach), reach)))
+        held_everywhere,
+        PI,
+        arcsin(where(held_everywhere, 0, arm * m_all / where(indifferent, one_like(reach), reach))),
     ),
     because="At rest the bearings carry the weight. Friction holds while the mass centre stands "
     "off the axis' vertical by less than the arm.",

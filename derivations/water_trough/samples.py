@@ -26,19 +26,20 @@ def rows(points):
 
 
 def troughs(random, count=COUNT):
-    """Troughs at random, whose tube is given by moments that need not fit together."""
+    """Troughs at random, whose tube is full and has moments at random."""
     ends = {
         "M": (5.0, 200.0), "l": (0.0, 0.3), "lam": (-2.2, -0.9), "A_1": (0.02, 0.2),
         "A_2": (0.02, 0.2), "w": (0.05, 0.3), "x_1": (-1.0, -0.3), "y_1": (-0.3, 0.1),
         "x_2": (0.3, 1.0), "y_2": (-0.3, 0.1), "h_10": (0.06, 0.12), "h_20": (0.06, 0.12),
-        "h_max": (0.25, 0.4), "a_t": (1e-4, 1e-3), "L_t": (1.0, 3.0), "m_t": (0.1, 3.0),
+        "h_max": (0.25, 0.4), "a_t": (1e-4, 1e-3), "L_t": (1.0, 3.0),
         "S_t_xi": (-0.3, 0.3), "S_t_eta": (-0.3, 0.3), "I_t": (0.0, 2.0), "Gamma_t": (-0.5, 0.5),
         "rho": (990.0, 1010.0), "g": (1.0, 10.0), "mu": (0.05, 0.3), "r_f": (0.01, 0.06),
         "r_A": (0.3, 2.0), "r_B": (0.3, 2.0), "omega_s": (1e-3, 0.1),
     }  # fmt: skip
     found = {name: random.uniform(*span, count) for name, span in ends.items()}
     spread = random.uniform(0.2, 1.0, count)  # m, from the concentrator's centre of mass
-    return {**found, "I_zz": found["M"] * (found["l"] ** 2 + spread**2)}
+    water = found["rho"] * found["a_t"] * found["L_t"]
+    return {**found, "m_t": water, "I_zz": found["M"] * (found["l"] ** 2 + spread**2)}
 
 
 def motions(random, trough):

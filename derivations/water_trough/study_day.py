@@ -1,23 +1,24 @@
 """A day behind the sun: an on-off pump with a dead band, the law its exported C kernel."""
 
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 
 from armillary.verify.plots import Axis, Curve, Mark, Plot
-from armillary.verify.study import Column, Heading, Prose, Result, Table
+from armillary.verify.study import Column, Heading, Prose, Table
 
 from .motion_of import Motion, Record
 from .pumping import Piece
-from .troughs import TITLES, law, trough
+from .study_cycle import cycles
+from .troughs import SIZES, TITLES, law, trough
 
 LITRE = 1e3
 HOUR = 3600.0
 TOLERANCE = 1e-9
 STEP = 30.0  # s, between two points of a curve of the day
-GOOD = 0.03  # by which the closed form of the cycle may miss
 BEFORE = 0.5  # h
+CELLS = 240
+CLOCK = "solar time, h"
 EDGE = 1e-3  # of the stroke: within it the rotation stands at its limit
 
 
@@ -47,22 +48,34 @@ class Tracked:
 
 
 def day(kernels, native, sun, parameters, tell):
-    """The smaller trough from sunrise to sunset."""
+    """Both troughs from sunrise to sunset; the smaller is drawn."""
     clock, wanted, turning = suns(kernels, sun, parameters)
-    found = track(native, parameters, clock, wanted, tell)
+    found = {}
+    for k, size in enumerate(SIZES):
+        found[size] = track(
+            native, parameters, size, clock, wanted,
+            lambda part, at, k=k, size=size: tell((k + part) / 2, f"{TITLES[size]}, {at}"),
+        )  # fmt: skip
+    small = found[SIZES[0]]
     yield Heading("A day behind the sun")
     yield Prose(
         f"Day {parameters.place.day} of the year at {parameters.place.latitude:g} degrees, from "
         "sunrise to sunset in solar time. `single_axis_backtrack` gives the angle that is "
         "wanted, and `pump_control`, its compiled C called "
         f"once in {parameters.control.period:g} s, says which pump runs; it hears an angle in "
-        f"steps of {parameters.control.sensor:g} degrees. Between two of its samples the flow "
-        f"comes or goes within {parameters.control.ramp:g} s, and the trough sticks and slips as "
-        f"above. It is the {TITLES['small']} trough."
+        f"steps of {parameters.control.sensor:g} degrees, and the levels. Between two of its "
+        f"samples the flow comes or goes within {parameters.control.ramp:g} s, and the trough "
+        "sticks and slips as above. The curves are of the "
+        f"{TITLES[SIZES[0]]} trough where they do not say so."
     )
-    yield from drawn(native, parameters, found)
+    yield from drawn_angles(parameters, small)
+    yield drawn_errors(parameters, found)
+    yield from drawn_noon(small)
+    yield from drawn_loads(native, parameters, small)
     yield table(parameters, found, turning)
-    yield Prose(f"{worst(kernels, parameters, found)} {paid(found)}")
+    for size in SIZES:
+        yield Prose(worst(kernels, parameters, size, found[size]))
+    yield Prose(paid(small))
     yield from cycles(kernels, parameters, found, turning)
 
 
@@ -86,12 +99,12 @@ def suns(kernels, sun, parameters):
     return time / HOUR, np.where(np.isfinite(wanted), wanted, 0.0), free
 
 
-def track(native, parameters, clock, wanted, tell):
-    """The trough under the law, sample by sample."""
-    given, settings = trough(parameters), parameters.control
+def track(native, parameters, size, clock, wanted, tell):
+    """A trough under the law, sample by sample."""
+    given, settings = trough(parameters, size), parameters.control
     call = native.pump_control_update.prepare(
-        pump=float(native.pump_control_init().pump), theta_ref=0.0, theta_measured=0.0, s=0.0,
-        **given, **law(parameters),
+        pump=float(native.pump_control_init().pump), theta_ref=0.0, theta_measured=0.0,
+        level_1=0.0, level_2=0.0, **given, **law(parameters, size),
     )  # fmt: skip
     motion, record = Motion(native, given, TOLERANCE), Record()
     sensor = np.radians(settings.sensor)
@@ -100,7 +113,9 @@ def track(native, parameters, clock, wanted, tell):
     q, time, rows = 0.0, clock[0] * HOUR, []
     for k, aim in enumerate(wanted):
         for name, value in (
-            ("theta_ref", aim), ("theta_measured", sensor * np.round(theta / sensor)), ("s", s),
+            ("theta_ref", aim), ("theta_measured", sensor * np.round(theta / sensor)),
+            ("level_1", given["h_10"] + s / given["A_1"]),
+            ("level_2", given["h_20"] - s / given["A_2"]),
         ):  # fmt: skip
             call.inputs[name][...] = value
         call.run()
@@ -126,170 +141,149 @@ def sample(time, settings, s, before, flow):
 # ---- what is shown ----
 
 
-def drawn(native, parameters, found):
-    """Angle, error, levels and reactions."""
-    control, given = parameters.control, trough(parameters)
-    thin = slice(None, None, max(1, round(STEP / control.period)))
-    clock = found.clock[thin]
+def thinned(parameters, found):
+    """Every how many samples a curve of the day has a point, and the clock there."""
+    thin = slice(None, None, max(1, round(STEP / parameters.control.period)))
+    return thin, found.clock[thin]
+
+
+def drawn_angles(parameters, found):
+    """The angle through the day."""
+    thin, clock = thinned(parameters, found)
     yield Plot(
         "The day's angle. The trough lies almost flat at sunrise so that no row shades the next, "
         "goes back to its stop, follows the sun from there to the other stop, and lies flat again.",
-        "solar time, h", "angle, degrees",
+        CLOCK, "angle, degrees",
         [
             Curve("wanted", clock, np.degrees(found.wanted[thin])),
             Curve("trough", clock, np.degrees(found.theta[thin])),
         ],
     )  # fmt: skip
-    yield Plot(
-        "The error of the angle, with the error at which the pump starts. See a saw within the "
-        "dead band, and where the trough leaves it.",
-        "solar time, h", "error, degrees",
-        [Curve("error", clock, found.error[thin])],
-        [Mark(control.band_on, "pump starts"), Mark(-control.band_on, "")],
+
+
+def drawn_errors(parameters, found):
+    """The errors of both."""
+    thin, clock = thinned(parameters, found[SIZES[0]])
+    on = parameters.control.band_on
+    return Plot(
+        "The error of the angle of both troughs, with the error at which the pump starts. See a "
+        "saw within the dead band, and where a trough leaves it.",
+        CLOCK, "error, degrees",
+        [Curve(TITLES[size], clock, of.error[thin]) for size, of in found.items()],
+        [Mark(on, "pump starts"), Mark(-on, "")],
     )  # fmt: skip
+
+
+def drawn_noon(found):
+    """A few cycles."""
     middle = np.abs(found.clock - 12.0) < 0.1
+    clock = found.clock[middle]
     yield Plot(
         "Twelve minutes around noon, sample by sample: the trough stands until the sun is ahead by "
         "the dead band, then the pump turns it past the sun.",
-        "solar time, h", "angle, degrees",
+        CLOCK, "angle, degrees",
         [
-            Curve("wanted", found.clock[middle], np.degrees(found.wanted[middle])),
-            Curve("trough", found.clock[middle], np.degrees(found.theta[middle])),
+            Curve("wanted", clock, np.degrees(found.wanted[middle])),
+            Curve("trough", clock, np.degrees(found.theta[middle])),
         ],
     )  # fmt: skip
     yield Plot(
         "What the law asks of the pump in these twelve minutes.",
-        "solar time, h", "pump: 1 fills container 1, −1 container 2",
-        [Curve("command", found.clock[middle], found.pump[middle])],
+        CLOCK, "pump: 1 fills container 1, −1 container 2",
+        [Curve("command", clock, found.pump[middle])],
     )  # fmt: skip
+
+
+def drawn_loads(native, parameters, found):
+    """Levels, and the forces of the bearings."""
+    given = trough(parameters)
+    thin, clock = thinned(parameters, found)
     levels = native.levels(s=found.s[thin], **given)
     yield Plot(
         "The levels through the day.",
-        "solar time, h", Axis("level, mm", low=0.0, high=1e3 * given["h_max"]),
+        CLOCK, Axis("level, mm", low=0.0, high=1e3 * given["h_max"]),
         [Curve("container 1", clock, 1e3 * levels.h_1),
          Curve("container 2", clock, 1e3 * levels.h_2)],
     )  # fmt: skip
-    yield carried(native, given, found)
+    forces = native.reactions(**found.record.states, **given)
+    time = found.record.column("time") / HOUR
+    for told, k in (("Sideways", 0), ("Upward", 1)):
+        rests = [float(force[0, k]) for force in (forces.F_A, forces.F_B)]
+        yield Plot(
+            f"{told} force of each bearing, less what it is at sunrise, "
+            f"{rests[0]:.1f} N on A and {rests[1]:.1f} N on B: the largest either way in each "
+            f"{CELLS}th of the day. The motion adds this much.",
+            CLOCK, "force, N",
+            [
+                curve
+                for name, force, at in zip("AB", (forces.F_A, forces.F_B), rests, strict=True)
+                for curve in ends(f"{name}", time, force[:, k] - at)
+            ],
+        )  # fmt: skip
 
 
-def carried(native, given, found):
-    """Largest and least sideways force in each step of the day."""
-    states, time = found.record.states, found.record.column("time") / HOUR
-    forces = native.reactions(**states, **given)
-    sideways = forces.F_A[:, 0] + forces.F_B[:, 0]
-    edges = np.linspace(time[0], time[-1], 241)
-    cell = np.clip(np.digitize(time, edges) - 1, 0, 239)
-    high, low = np.zeros(240), np.zeros(240)
-    np.maximum.at(high, cell, sideways)
-    np.minimum.at(low, cell, sideways)
-    middle = (edges[:-1] + edges[1:]) / 2
-    return Plot(
-        "Sideways force of both bearings, the largest either way in each 240th of the day: all "
-        "there is of dynamics, against a weight of "
-        f"{forces.F_A[0, 1] + forces.F_B[0, 1]:.0f} N.",
-        "solar time, h", "force, N",
-        [Curve("largest", middle, high), Curve("least", middle, low)],
-    )  # fmt: skip
+def ends(name, time, force):
+    """Largest and least of a force in each part of the day."""
+    edges = np.linspace(time[0], time[-1], CELLS + 1)
+    cell = np.clip(np.digitize(time, edges) - 1, 0, CELLS - 1)
+    high, low = np.full(CELLS, -np.inf), np.full(CELLS, np.inf)
+    np.maximum.at(high, cell, force)
+    np.minimum.at(low, cell, force)
+    met, middle = np.isfinite(high), (edges[:-1] + edges[1:]) / 2
+    return [
+        Curve(f"{name}, largest", middle[met], high[met]),
+        Curve(f"{name}, least", middle[met], low[met]),
+    ]
 
 
 def table(parameters, found, free):
     """The day in figures."""
-    record, control = found.record, parameters.control
-    time, q, work = (record.column(name) for name in ("time", "q", "work"))
-    water = float(np.sum(np.abs(q[1:] + q[:-1]) / 2 * np.diff(time)))
-    gains = np.diff(work)
-    starts = np.count_nonzero((found.pump[1:] != 0) & (found.pump[:-1] == 0))
-    error = np.abs(found.error)
+    columns = [figures(parameters, of, free) for of in found.values()]
     return Table(
         "The day in figures.",
-        ["figure", Column("value", "", ".4g"), "unit"],
+        ["figure", *(Column(TITLES[size], "", ".4g") for size in found), "unit"],
         [
-            ("largest error", error.max(), "degrees"),
-            ("largest error where the sun is followed", error[free].max(), "degrees"),
-            ("root mean square error there", np.sqrt(np.mean(error[free] ** 2)), "degrees"),
-            ("part of that time within the dead band", np.mean(error[free] <= control.band_on), ""),
-            ("starts of a pump", int(starts), ""),
-            ("time in which a pump runs",
-             np.count_nonzero(found.pump) * control.period / 60, "min"),
-            ("water moved, both ways", LITRE * water, "l"),
-            ("net work of the pump on trough and water", work[-1], "J"),
-            ("work that the pump puts in", gains[gains > 0].sum(), "J"),
-            ("work that it takes out, on falling water", -gains[gains < 0].sum(), "J"),
-            ("heat of the bearings", record.column("heat")[-1], "J"),
-            ("changes between stick and slip", len(record.events) - 1, ""),
+            (name, *(of[name][0] for of in columns), unit)
+            for name, (_, unit) in columns[0].items()
         ],
     )  # fmt: skip
 
 
-def periods(kernels, parameters, found, free):
-    """Of each cycle while the sun is followed: clock, period, the closed form's, range of error."""
-    given = {**trough(parameters), **law(parameters)}
-    running = found.pump != 0
-    starts = np.flatnonzero(running[1:] & ~running[:-1]) + 1
-    rows = []
-    for a, b in pairwise(starts):
-        if np.all(free[a:b]) and np.all(found.pump[a:b] >= 0):
-            span = parameters.control.period * (b - a)
-            rate = (found.wanted[b] - found.wanted[a]) / span
-            s = (found.s[a] + found.s[b]) / 2
-            told = float(kernels.cycle(s=s, theta_dot_ref=rate, **given).t_cycle)
-            swept = np.ptp(found.error[a : b + 1])
-            rows.append((found.clock[a], span, told, swept))
-    return np.array(rows).T
+def figures(parameters, found, free):
+    """Each with its unit."""
+    record, control = found.record, parameters.control
+    time, q, work = (record.column(name) for name in ("time", "q", "work"))
+    gains, error = np.diff(work), np.abs(found.error)
+    starts = np.count_nonzero((found.pump[1:] != 0) & (found.pump[:-1] == 0))
+    water = float(np.sum(np.abs(q[1:] + q[:-1]) / 2 * np.diff(time)))
+    return {
+        "largest error": (error.max(), "degrees"),
+        "largest error where the sun is followed": (error[free].max(), "degrees"),
+        "root mean square error there": (np.sqrt(np.mean(error[free] ** 2)), "degrees"),
+        "part of that time within the dead band": (np.mean(error[free] <= control.band_on), ""),
+        "starts of a pump": (int(starts), ""),
+        "time in which a pump runs": (np.count_nonzero(found.pump) * control.period / 60, "min"),
+        "water moved, both ways": (LITRE * water, "l"),
+        "net work of the pump on trough and water": (work[-1], "J"),
+        "work that the pump puts in": (gains[gains > 0].sum(), "J"),
+        "work that it takes out, on falling water": (-gains[gains < 0].sum(), "J"),
+        "heat of the bearings": (record.column("heat")[-1], "J"),
+        "changes between stick and slip": (len(record.events) - 1, ""),
+    }  # fmt: skip
 
 
-def cycles(kernels, parameters, found, free):
-    """Each cycle while the sun is followed, beside the closed form."""
-    clock, span, told, swept = periods(kernels, parameters, found, free)
-    band = parameters.control.band_on - parameters.control.band_off
-    yield Plot(
-        "Period of the pump's cycle while the sun is followed: simulated, by the closed form, and "
-        "by it with the range that the error really ran through instead of the dead band. See how "
-        "nearly all that the closed form misses is that range.",
-        "solar time, h", Axis("period, s", low=0.0),
-        [
-            Curve("simulated", clock, span, style="points"), Curve("closed form", clock, told),
-            Curve("closed form, real range", clock, told * swept / band),
-        ],
-    )  # fmt: skip
-    plain, scaled = span / told, span / (told * swept / band)
-    yield Prose(
-        f"In {len(span)} cycles the period is {np.mean(plain):.3f} of the closed form's in the "
-        f"mean, with a standard deviation of {np.std(plain):.3f}. The error runs through "
-        f"{np.mean(swept):.3f} degrees and not the {band:g} of the dead band: the law is sampled "
-        "and stops the pump late, the sensor has steps, and the trough swings past its rest. "
-        f"With the real range the ratio is {np.mean(scaled):.3f}, with a standard deviation of "
-        f"{np.std(scaled):.3f}. {cause(float(np.mean(scaled)))}"
-    )
-    yield Result(
-        "cycles",
-        {"count": len(span), "plain": float(np.mean(plain)), "scaled": float(np.mean(scaled)),
-         "spread": float(np.std(scaled))},
-    )  # fmt: skip
-
-
-def cause(mean):
-    """What the closed form is good for."""
-    if abs(mean - 1) < GOOD:
-        return "**The closed form holds, once the range is known.**"
-    return (
-        "**The range does not explain it**: the closed form knows one pump that starts and stops, "
-        "and neither swings that last nor a pump that runs back."
-    )
-
-
-def worst(kernels, parameters, found):
+def worst(kernels, parameters, size, found):
     """Where the error is largest, and whether the pump is too small there."""
     k = int(np.argmax(np.abs(found.error)))
     before = (found.clock >= found.clock[k] - BEFORE) & (found.clock <= found.clock[k])
     rate = np.gradient(found.wanted, parameters.control.period)[before]
-    needed = kernels.follow(s=found.s[before], theta_dot_ref=rate, **trough(parameters)).q
+    needed = kernels.follow(s=found.s[before], theta_dot_ref=rate, **trough(parameters, size)).q
     minutes = round(found.clock[k] * 60)
     words = (
-        f"The error is largest at {minutes // 60}:{minutes % 60:02d}, "
+        f"The error of the {TITLES[size]} trough is largest at {minutes // 60}:{minutes % 60:02d}, "
         f"{abs(found.error[k]):.2f} degrees. "
     )
-    part = float(np.max(np.abs(needed))) / law(parameters)["q_pump"]
+    part = float(np.max(np.abs(needed))) / law(parameters, size)["q_pump"]
     if part > 1:
         return words + (
             f"**The pump is outrun there**: in the half hour before, to follow takes up to "

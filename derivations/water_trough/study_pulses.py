@@ -5,8 +5,8 @@ import numpy as np
 from armillary.verify.plots import Curve, Plot
 from armillary.verify.study import Column, Heading, Prose, Result, Table, text_of
 
-from .motion_of import Motion, closed
-from .pumping import pulses
+from .motion_of import Motion, closed, energies
+from .pumping import experiment
 from .troughs import SIZES, TITLES, trough
 
 MM = 1e3
@@ -38,15 +38,6 @@ def moved(native, parameters, size, tell):
     first = float(native.rest_angle(s=0.0, **given).theta)
     pieces = experiment(parameters.pulses, scale)
     return given, Motion(native, given).run(pieces, first, tell=tell)
-
-
-def experiment(settings, scale):
-    """The pieces of flow of three pulses, the flow scaled."""
-    runs, end = [], 0.0
-    for begin, run, flow in zip(settings.begin, settings.run, settings.flow, strict=True):
-        runs.append((begin - end, run, scale * flow))
-        end = begin + run
-    return pulses(0.0, settings.ramp, *runs, (settings.length - end, 0.0, 0.0))
 
 
 def drawn(native, given, record):
@@ -97,14 +88,6 @@ def listed(record):
         [Column("time", "s", ".6f"), Column("angle", "degrees", ".6f"), "from then on"],
         [(time, np.degrees(theta), mode) for time, theta, mode in record.events],
     )
-
-
-def energies(native, given, record):
-    """Energy of trough and water at each row, J."""
-    states = record.states
-    del states["q_dot"]
-    found = native.energy(**states, **given)
-    return found.T + found.V
 
 
 def drawn_book(native, given, record):

@@ -12,7 +12,7 @@ from .troughs import trough
 
 ML = 1e6
 RAMP = 1.0  # s
-HALVED = 1.5  # by at least this a difference falls when the flow is halved
+QUARTER = (3.5, 4.5)  # by which what grows with a square falls when it is halved
 
 
 def reversal(kernels, native, parameters):
@@ -62,11 +62,16 @@ def in_words(worst):
     """Order of what is neglected."""
     flows, sizes = list(worst), list(worst.values())
     ratios = [a / b if b > 0 else np.inf for a, b in pairwise(sizes)]
-    falls = "falls" if min(ratios) > HALVED else "does not fall"
+    squares = all(QUARTER[0] < ratio < QUARTER[1] for ratio in ratios)
+    why = (
+        " **It goes with the square of the flow**, as the flow's own inertia does: the closed form "
+        "leaves that out."
+        if squares else " That is not the square of the flow, as its inertia would be."
+    )  # fmt: skip
     return (
         f"The largest difference, {text_of(ML * sizes[0], '.1e')} ml at {ML * flows[0]:g} ml/s, "
-        f"{falls} with the flow: halved, the flow leaves "
+        "changes with the flow: halved, the flow leaves "
         + " and then ".join(text_of(1 / ratio, ".2f") for ratio in ratios)
-        + " of it. What the closed form leaves out is the flow's own inertia: a force that grows "
-        "with its square."
+        + " of it."
+        + why
     )

@@ -15,7 +15,7 @@ FIRM = 1e-3  # largest part by which the prediction may miss
 
 
 def smooth(kernels, native, parameters, tell):
-    """Creep at three speeds of the ramp, against its prediction."""
+    """Creep at several speeds of the ramp, against its prediction."""
     given, settings = trough(parameters), parameters.smooth
     width = float(kernels.stick_band(s=0.0, **given).half_width)
     first = float(kernels.rest_angle(s=0.0, **given).theta)
@@ -23,26 +23,33 @@ def smooth(kernels, native, parameters, tell):
     rows, curves = [], []
     for k, omega_s in enumerate(settings.omega_s):
         tell(k / len(settings.omega_s), f"{omega_s:g} rad/s")
-        begun = predicted(omega_s, settings.part)
+        smoothed = {**given, "omega_s": omega_s}
+        begun = -float(kernels.creep(theta=first + off, s=0.0, **smoothed).omega)
         span = LONG * off / begun
-        way = creeping(native, {**given, "omega_s": omega_s}, [Piece(0.0, span, 0.0)], first + off)
-        miss = judged(way, omega_s, width, first)
-        rows.append((omega_s, begun, begun / SUN, off / begun, miss))
+        way = creeping(native, smoothed, [Piece(0.0, span, 0.0)], first + off)
+        rows.append((omega_s, begun, begun / SUN, off / begun, judged(kernels, way, smoothed)))
         curves.append(Curve(f"{omega_s:g} rad/s", way[0] / span, np.degrees(way[1] - first)))
     yield Heading("Smooth friction creeps")
     yield Prose(
         "An integrator that knows no events may take `acceleration_smooth`, whose friction grows "
-        "with the speed. Where dry friction would hold the trough against a drive $N$, it then "
-        "creeps at the speed at which the smooth friction is as large as the drive, "
-        "$\\omega = \\omega_\\mathrm{s}\\,r/\\sqrt{1-r^2}$ with $r = N/(k|F|)$. Here the trough "
-        f"is left {np.degrees(off):.4f} degrees off its rest, where $r$ is {settings.part:g}."
+        "with the speed. Where dry friction would hold the trough it then creeps, at the speed at "
+        "which the smooth friction is as large as the drive; `creep` tells it. Here the trough is "
+        f"left {np.degrees(off):.4f} degrees off its rest, where the drive is {settings.part:g} of "
+        "what friction holds."
     )
     yield Plot(
         "The trough that should stand, under smooth friction. Each time axis is "
         "scaled to its own creep: the curves fall on each other where the prediction holds.",
         "time, of that of the experiment", "angle off the rest, degrees", curves,
     )  # fmt: skip
-    yield Table(
+    yield listed(rows)
+    yield Prose(in_words(rows))
+    yield Result("smooth", {"misses": [row[-1] for row in rows]})
+
+
+def listed(rows):
+    """Speed by speed."""
+    return Table(
         "Creep under smooth friction.",
         [
             Column("$\\omega_\\mathrm{s}$", "rad/s", ".0e"),
@@ -53,22 +60,14 @@ def smooth(kernels, native, parameters, tell):
         ],
         rows,
     )  # fmt: skip
-    yield Prose(in_words(rows))
-    yield Result("smooth", {"misses": [row[-1] for row in rows]})
 
 
-def predicted(omega_s, part):
-    """Speed at which smooth friction takes a part of the largest, rad/s."""
-    return omega_s * part / np.sqrt(1 - part * part)
-
-
-def judged(way, omega_s, width, first):
+def judged(kernels, way, given):
     """How far the speed is from its prediction, once the start is over, as a part of it."""
     time, theta, omega = way
     late = time > 0.2 * time[-1]
-    part = np.sin(theta - first) / np.sin(width)
-    wanted = -predicted(omega_s, part)
-    return float(np.max(np.abs(omega[late] / wanted[late] - 1)))
+    wanted = kernels.creep(theta=theta[late], s=0.0, **given).omega
+    return float(np.max(np.abs(omega[late] / wanted - 1)))
 
 
 def in_words(rows):

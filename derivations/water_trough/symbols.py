@@ -11,7 +11,8 @@ derivation = d = Derivation(
     "hangs at either side of it, and a pump moves water from one to the other: the heavier side "
     "sinks, and the trough follows the sun. Of the paper's mechanics only the balance of forces "
     "survives; the moment equation announced as (3) is lost. The page derives a complete model of "
-    "one freedom in the paper's nomenclature and marks what is ours.",
+    "one freedom in the paper's nomenclature. The line that claims a printed equation carries its "
+    "number; every other line is ours.",
 )
 
 AREA, VOLUME = METRE**2, METRE**3
@@ -75,11 +76,12 @@ L_t = positive("L_t", "length of the tube", METRE, 0.0, 100.0, (1.0, 3.0), latex
 m_t = positive("m_t", "mass of the water in the tube", KILOGRAM, 0.0, 1e5, (0.1, 3.0))
 _FIRST = {"unit": FIRST, "limits": (-1e5, 1e5), "range": (-0.3, 0.3)}
 S_t_xi = d.parameter.scalar(
-    "S_t_xi", "first moment of the water in the tube along xi", latex=r"S_{t\xi}", **_FIRST
+    "S_t_xi",
+    "first moment S_t of the water in the tube: its component along xi, given by itself",
+    latex=r"S_{t\xi}",
+    **_FIRST,
 )
-S_t_eta = d.parameter.scalar(
-    "S_t_eta", "first moment of the water in the tube along eta", latex=r"S_{t\eta}", **_FIRST
-)
+S_t_eta = d.parameter.scalar("S_t_eta", "the same along eta", latex=r"S_{t\eta}", **_FIRST)
 I_t = positive(
     "I_t", "second moment of the water in the tube about the axis", SECOND_MOMENT, 0.0, 1e6,
     (0.0, 2.0),

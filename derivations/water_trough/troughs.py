@@ -47,6 +47,7 @@ def law(parameters, size="small"):
         "q_pump": of.q_pump,
         "band_on": np.radians(control.band_on),
         "band_off": np.radians(control.band_off),
+        "lag": (control.period + control.ramp) / 2,
     }
 
 

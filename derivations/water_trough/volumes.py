@@ -1,11 +1,10 @@
-"""How much water an angle takes, how much turns the trough back, and an on-off pump's cycle."""
+"""How much water an angle takes, and how much turns the trough back."""
 
 from armillary import absolute, cos, one_like, partial, sin, sqrt, substitute, where
-from armillary.derivation.units import RADIAN, SECOND
 
 from .friction import arm
-from .rest import gain, theta_dot_ref
-from .symbols import FLOW, VOLUME, d, positive, s, theta
+from .surface import wedge, wedge_slope
+from .symbols import VOLUME, d, s, theta
 from .water import S, m_all, spilt
 
 # The first moment is a polynomial of the volume: linear along xi, of second degree along eta.
@@ -24,61 +23,107 @@ slope = d.define(
     meaning="coefficient of the volume in that moment",
     latex="b",
 )
-level = d.define(
-    "level",
+unmoved = d.define(
+    "unmoved",
     substitute(S.x * cos(theta) - S.y * sin(theta), _NONE),
     because="The moment before any water is moved.",
     meaning="that moment when no water is moved",
     latex="c",
 )
 
-far = d.constant(
-    "far", "1e3", "volume that no container of a trough holds", unit=VOLUME, latex=r"s_\infty"
-)
+most_volume = d.constant(
+    "most_volume", "1e3", "volume that no container of a trough holds", unit=VOLUME,
+    latex=r"s_\infty",
+)  # fmt: skip
 
 
-def root(offset):
-    """The volume nearest to none at which the moment is `offset`, and whether there is none."""
-    rest = level - offset
+def roots(offset):
+    """Volumes at which that moment is `offset`: (value, whether it is one) of the near and far."""
+    rest = unmoved - offset
     under = slope * slope - 4 * bend * rest
-    none = ~(~(under < 0) & (absolute(rest) < far * absolute(slope)))
-    wide = sqrt(where(none, one_like(under), under))
-    divisor = where(none, one_like(slope), slope + where(slope < 0, -wide, wide))
-    return where(none, 0, -2 * rest / divisor), none
+    real = ~(under < 0)
+    wide = sqrt(where(real, under, one_like(under)))
+    both = slope + where(slope < 0, -wide, wide)
+    is_near = real & (absolute(2 * rest) < most_volume * absolute(both))
+    is_far = real & (absolute(both) < most_volume * absolute(2 * bend))
+    near = where(is_near, -2 * rest / where(is_near, both, one_like(both)), 0)
+    far = where(is_far, -both / where(is_far, 2 * bend, one_like(bend)), 0)
+    return (near, is_near), (far, is_far)
 
 
-def volume(name, offset, because, meaning, latex):
-    """Define a volume of that kind."""
-    value, none = root(offset)
+def either(one, other):
+    """Whether at least one of two conditions holds."""
+    return ~(~one & ~other)
+
+
+def held(value):
+    """Whether the containers hold what a volume leaves in them."""
+    return ~substitute(spilt, {s: value})
+
+
+def lasting(value, lost=0):
+    """Whether the trough stays at a rest, where a part of its stiffness is lost."""
+    return substitute(S.x * sin(theta) + S.y * cos(theta), {s: value}) < -lost
+
+
+def best(offset, lost=0):
+    """The near root where the trough can rest and stay with it, else the far one; if it is one."""
+    (near, is_near), (far, is_far) = roots(offset)
+    near_does = is_near & held(near) & lasting(near, lost)
+    far_does = is_far & held(far) & lasting(far, lost)
+    far_taken = ~near_does & either(far_does, ~(is_near & held(near)))
+    return far_taken, where(far_taken, far, near), either(far_taken & is_far, ~far_taken & is_near)
+
+
+def volume(name, value, is_one, because, meaning, latex):
+    """Define a volume, and whether there is none."""
     made = d.define(name, value, because=because, meaning=meaning, unit=VOLUME, latex=latex)
     lost = d.define(
         f"no_{name}",
-        ~(~none & ~substitute(spilt, {s: made})),
-        because="The quadratic has no root, water turns nothing at this angle, or the containers "
-        "do not hold so much.",
+        ~(is_one & held(made)),
+        because="The quadratic has no such root, water turns nothing at this angle, or the "
+        "containers do not hold so much.",
         meaning=f"whether no {name} exists",
     )
     return made, lost
 
 
+_far_taken, _value, _is_one = best(0)
+other_root = d.define(
+    "other_root",
+    _far_taken,
+    because="Far from upright, what the water lifts of its own weight counts, and two volumes may "
+    "balance. The one nearer to none is taken, unless the containers do not hold it or the trough "
+    "does not stay with it.",
+    meaning="whether the root farther from no water moved is taken",
+)
 s_rest, no_s_rest = volume(
-    "s_rest", 0,
-    "The rest condition is a quadratic in the volume; the root that stays finite where the "
-    "quadratic becomes linear is taken.",
+    "s_rest", _value, _is_one,
+    "The rest condition is a quadratic in the volume. The near root is written so that it stays "
+    "finite where the quadratic becomes linear.",
     "volume at which the trough rests at this angle without friction", "s_0",
 )  # fmt: skip
 tops = d.define(
     "tops",
-    ~(substitute(S.x * sin(theta) + S.y * cos(theta), {s: s_rest}) < 0),
+    ~lasting(s_rest),
     because="With its mass centre above the axis the trough rests, but does not stay.",
     meaning="whether the rest at that volume does not last",
 )
-s_on, no_s_on = volume(
+
+
+def breakaway(name, offset, because, meaning, latex):
+    """Where the moment is off by friction, on the side of the quadratic that the rest is on."""
+    (near, is_near), (far, is_far) = roots(offset)
+    is_one = either(other_root & is_far, ~other_root & is_near)
+    return volume(name, where(other_root, far, near), is_one, because, meaning, latex)
+
+
+s_on, no_s_on = breakaway(
     "s_on", -arm * m_all,
     "Friction is overcome when the mass centre stands off by the arm, here towards positive turns.",
     "volume at which the trough breaks away towards positive angles", "s_+",
 )  # fmt: skip
-s_back, no_s_back = volume(
+s_back, no_s_back = breakaway(
     "s_back", arm * m_all,
     "The same towards negative turns.",
     "volume at which it breaks away towards negative angles", "s_-",
@@ -91,66 +136,15 @@ reversal = d.define(
     unit=VOLUME,
     latex=r"\Delta s",
 )
-
-# ---- an on-off pump ----
-
-q_pump = positive("q_pump", "flow of the pump when it runs", FLOW, 0.0, 1e3, (1e-6, 1e-3))
-band_on = positive(
-    "band_on", "error of the angle at which the pump starts", RADIAN, 0.0, 10.0, (0.001, 0.05)
-)
-band_off = d.parameter.angle(
-    "band_off",
-    "error of the angle, in the sense of the motion, at which the pump stops; negative lets it run "
-    "ahead of the sun",
-    limits=(-10.0, 10.0),
-    range=(-0.05, 0.0),
-)
-rate_tolerance = d.constant(
-    "rate_tolerance",
-    "1e-12",
-    "angular velocity below which the sun, or what the pump gains on it, stands still",
-    unit=RADIAN / SECOND,
-    latex=r"\tau_r",
-)
-outrun = d.define(
-    "outrun",
-    ~(absolute(gain) * q_pump - absolute(theta_dot_ref) > rate_tolerance),
-    because="A pump that is too small never catches up.",
-    meaning="whether the sun outruns the pump",
-)
-swept = d.define(
-    "swept",
-    where(band_on > band_off, band_on - band_off, 0),
-    because="The error runs from where the pump starts to where it stops, and back.",
-    meaning="range of the error in a cycle",
-    unit=RADIAN,
-    latex=r"\Delta e",
-)
-_asleep = ~(absolute(theta_dot_ref) > rate_tolerance)
-_none = ~(~outrun & ~_asleep)
-_rate = where(_none, one_like(theta_dot_ref), absolute(theta_dot_ref))
-_ahead = where(_none, one_like(theta_dot_ref), absolute(gain) * q_pump - absolute(theta_dot_ref))
-no_cycle = d.define(
-    "no_cycle",
-    _none,
-    because="A sun that stands still starts no pump.",
-    meaning="whether there is no cycle",
-)
-t_on = d.define(
-    "t_on",
-    where(no_cycle, 0, swept / _ahead),
-    because="While it runs the trough gains on the sun. It moves with the rest, behind it by the "
-    "range of friction, as long as the flow changes slowly against the period of its swings. Gain "
-    "and that range are taken as they are at this volume.",
-    meaning="time for which the pump runs in a cycle",
-    unit=SECOND,
-    latex=r"t_\mathrm{on}",
-)
-t_cycle = d.define(
-    "t_cycle",
-    where(no_cycle, 0, swept / _rate) + t_on,
-    because="While it stands the sun gains on the trough, which friction holds.",
-    meaning="period of the cycle of an on-off pump",
-    unit=SECOND,
-    latex=r"t_\mathrm{c}",
+_, _value, _is_one = best(wedge, wedge_slope)
+s_level, no_s_level = volume(
+    "s_level", _value, _is_one,
+    "The same quadratic, with the wedges of level surfaces on its other side.",
+    "volume at which the trough rests at this angle when the surfaces are level", "s_w",
+)  # fmt: skip
+tops_level = d.define(
+    "tops_level",
+    ~lasting(s_level, wedge_slope),
+    because="Level surfaces take stiffness away.",
+    meaning="whether the rest at that volume does not last",
 )

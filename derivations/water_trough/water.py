@@ -38,8 +38,10 @@ from .symbols import (
 h_1 = d.define(
     "h_1",
     h_10 + s / A_1,
-    because="What leaves container 2 arrives in container 1, whose walls are straight. The water's "
-    "surface stays parallel to the floor: it counts as a body that slides on the floor's normal.",
+    because="What leaves container 2 arrives in container 1, whose walls are straight. By "
+    "convention the surface stays parallel to the floor, as under a lid that slides with it; a "
+    "surface left to itself is level at the speed of tracking, and the section on it tells what "
+    "that changes.",
     meaning="level in container 1",
     latex="h_1",
 )
@@ -81,7 +83,8 @@ m_2 = d.define(
 F_1 = d.define(
     "F_1",
     m_1 * g,
-    because="The paper's force on a container is the weight of its water.",
+    because="The paper names a force on container 1 and gives no formula for it. We read it as the "
+    "weight of the water.",
     meaning="weight of the water in container 1",
     unit=NEWTON,
     latex="F_1",
@@ -128,8 +131,8 @@ def _column(mass, x, y, h):
 inertia = d.define(
     "inertia",
     I_zz + _column(m_1, x_1, y_1, h_1) + _column(m_2, x_2, y_2, h_2) + I_t,
-    because="The water turns with the trough: its surface does not stay level on the time scale "
-    "of the motion, so it counts as inertia.",
+    because="The same convention: the water turns with the trough, as if it were frozen. With a "
+    "surface left to itself a part of it would not.",
     meaning="moment of inertia of the trough with its water about the axis",
     unit=SECOND_MOMENT,
     latex="I",
@@ -150,4 +153,38 @@ m_eff = d.define(
     meaning="inertia of the flow: its kinetic energy is m_eff q^2 / 2",
     unit=KILOGRAM / VOLUME / VOLUME * AREA,
     latex=r"m_\mathrm{eff}",
+)
+
+# ---- what cannot belong to one trough ----
+
+fit_tolerance = d.constant(
+    "fit_tolerance",
+    "1e-3",
+    "part by which parameters that follow from each other may differ",
+    latex=r"\tau_f",
+)
+m_fit = d.define(
+    "m_fit",
+    rho * a_t * L_t,
+    because="The tube is full, and has one cross-section.",
+    meaning="mass of the water that a tube of that length and cross-section holds",
+    unit=KILOGRAM,
+    latex=r"\hat m_t",
+)
+misfit = d.define(
+    "misfit",
+    ~(~(m_t - m_fit > fit_tolerance * m_fit) & ~(m_fit - m_t > fit_tolerance * m_fit)),
+    because="The mass of the tube's water is given beside its length: a slip in either shows.",
+    meaning="whether mass, length and cross-section of the tube contradict each other",
+)
+too_slight = d.define(
+    "too_slight",
+    ~(
+        ~(M * l * l * (1 - fit_tolerance) > I_zz)
+        & ~(inertia * m_eff < (rho * Gamma) * (rho * Gamma))
+    ),
+    because="No body has less inertia about the axis than its mass gathered at its centre, and no "
+    "motion of water and trough together has a negative kinetic energy.",
+    meaning="whether the inertia is less than any body's of that mass and centre, or than any "
+    "water's on that way",
 )

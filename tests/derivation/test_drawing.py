@@ -6,6 +6,7 @@ from armillary import Derivation, Matrix, near, number, vector
 from armillary.derivation.errors import DerivationError
 from armillary.derivation.fingerprint import kernel_digest, system_digest
 from armillary.derivation.units import METRE, RADIAN
+from armillary.program.sample import sample_points
 
 
 class Record:
@@ -51,6 +52,15 @@ def test_what_is_drawn_is_kept_with_its_distance():
     assert [one.output.shape for one in made] == [(), (), (3,), (2,)]
 
 
+def test_a_parameter_may_be_drawn_by_others():
+    r = Record()
+    sides = r.d.parameter.length("a", "one side"), r.d.parameter.length("ab", "both")
+    (made,) = r.kernel({sides[1]: sides[0] + r.b}).drawn
+    assert made.quantity is sides[1]
+    for point in sample_points(r.d.kernels["k"], 5):
+        assert point["ab"] == point["a"] + point["b"]
+
+
 def test_what_is_drawn_counts_for_the_checks_and_not_for_the_kernel():
     digests = []
     for by in (None, 0.25, 0.5):
@@ -64,9 +74,8 @@ def test_what_is_drawn_counts_for_the_checks_and_not_for_the_kernel():
 
 WRONG = {
     "no mapping": (lambda r: [r.x], "drawn= of kernel k is a value of type list, not a mapping"),
-    "what is no input": (lambda r: {r.b: r.x}, "tells what b is, which is no input of it"),
+    "what is no input": (lambda r: {r.b: r.x}, "tells what b is, which is no input or"),
     "what is no quantity": (lambda r: {"x": r.b}, "tells what 'x' is, which is no input"),
-    "a parameter": (lambda r: {r.L: r.b}, "tells what L is, which is no input of it"),
     "another unit": (lambda r: {r.x: r.t}, "x of kernel k is drawn as is stated in m.*in rad"),
     "a pair in another unit": (lambda r: {r.pair: Matrix(((r.t, r.b),))}, "stated in rad.*in m"),
     "a vector for a scalar": (lambda r: {r.x: vector(r.b, r.b, r.b)}, r"is \(3,\), and x is a sc"),

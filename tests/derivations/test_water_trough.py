@@ -2,6 +2,7 @@
 
 from itertools import pairwise
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,8 +15,8 @@ from armillary.verify.parameters import read_parameters
 ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "derivations" / "water_trough"
 
-motion_of, pumping, troughs = (
-    run(FOLDER / f"{name}.py").module for name in ("motion_of", "pumping", "troughs")
+motion_of, pumping, troughs, cycles_of = (
+    run(FOLDER / f"{name}.py").module for name in ("motion_of", "pumping", "troughs", "cycles_of")
 )
 
 
@@ -129,14 +130,66 @@ def test_a_container_that_would_overflow_stops_the_motion(kernels, trough):
 
 def test_smooth_friction_creeps_as_predicted(kernels, trough):
     width = float(kernels.stick_band(s=0.0, **trough).half_width)
-    first, part, omega_s = rest(kernels, trough), 0.6, 1e-5
-    given = {**trough, "omega_s": omega_s}
+    given = {**trough, "omega_s": 1e-5}
     still = [pumping.Piece(0.0, 1.0, 0.0)]
-    _, theta, omega = motion_of.creeping(
-        kernels, given, still, first + np.arcsin(part * np.sin(width))
+    first = rest(kernels, trough) + np.arcsin(0.6 * np.sin(width))
+    _, theta, omega = motion_of.creeping(kernels, given, still, first)
+    told = kernels.creep(theta=theta[-1], s=0.0, **given)
+    assert omega[-1] == pytest.approx(told.omega, rel=1e-4)
+    assert told.omega < 0
+
+
+def test_friction_that_neither_holds_nor_lets_go_stops_the_motion(trough):
+    """Driven on at rest, and back as soon as it moves."""
+
+    def acceleration(omega, **_):
+        return SimpleNamespace(alpha=np.where(np.asarray(omega) == 0, 1.0, -1.0), status=0)
+
+    fake = SimpleNamespace(acceleration=acceleration, pump_pressure=None, friction=None)
+    motion = motion_of.Motion(fake, trough, 1e-6, book=False)
+    with pytest.raises(motion_of.MotionError, match="neither holds"):
+        motion.run([pumping.Piece(0.0, 1.0, 0.0)], 0.0)
+
+
+def test_work_is_booked_while_a_trough_waits_on_the_edge(kernels, trough):
+    motion = motion_of.Motion(kernels, trough, 1e-6)
+    piece = pumping.Piece(0.0, 1.0, 0.0, 1e-5, 1e-5)
+    end, y = motion._wait(piece, 0.25, np.array([0.1, 0.0, 2.0, 3.0]))
+    s, q, q_dot = piece(0.25)
+    power = (
+        kernels.pump_pressure(theta=0.1, omega=0.0, s=s, q=q, q_dot=q_dot, **trough).pressure * q
     )
-    left = np.sin(theta[-1] - first) / np.sin(width)
-    assert omega[-1] == pytest.approx(-omega_s * left / np.sqrt(1 - left**2), rel=1e-4)
+    assert end == 0.25 + motion.pause
+    assert y[2] - 2.0 == pytest.approx(float(power) * motion.pause, rel=1e-3)
+    assert (y[0], y[1], y[3]) == (0.1, 0.0, 3.0)
+
+
+def test_the_cycle_of_the_pump_is_that_of_the_motion(kernels, trough, parameters):
+    """Behind the sun and back before it: a mirror of the same."""
+    given = {**trough, **troughs.law(parameters), "lag": 0.2}
+    pump, found = cycles_of.Pump(up=0.4, down=0.05), []
+    for sense in (1, -1):
+        rate = sense * np.radians(15) / 3600
+        (one,) = cycles_of.cycles(kernels, given, pump, rate, 0.0, 1, tolerance=1e-6)
+        told = kernels.cycle(s=one.s, theta_dot_ref=rate, **given)
+        found.append(one)
+        assert float(told.travel) == pytest.approx(one.travel, rel=0.1)
+        assert not one.backs
+        assert one.error_rest < given["band_off"]
+    assert found[0].travel == pytest.approx(found[1].travel, rel=1e-4)
+    assert found[0].t_on == pytest.approx(found[1].t_on, rel=1e-4)
+
+
+@pytest.mark.parametrize("size", troughs.SIZES)
+def test_open_containers_run_over_beyond_the_stroke_only(kernels, parameters, size):
+    """At the angle told a level surface stands at the rim, by plain trigonometry."""
+    study = run(FOLDER / "study_surface.py").module
+    given = troughs.trough(parameters, size)
+    angle = study.brim(kernels, given)
+    assert angle > parameters.place.stroke
+    s = float(kernels.rest_volume(theta=np.radians(angle), **given).s)
+    level = given["h_10"] + s / given["A_1"] + given["w"] / 2 * np.tan(np.radians(angle))
+    assert level == pytest.approx(given["h_max"], rel=5e-3)
 
 
 def test_a_sampling_period_begins_with_the_flow_there_was_and_ends_with_the_one_asked_for(

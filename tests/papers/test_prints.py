@@ -26,7 +26,7 @@ NAMES_ONLY = {
     "ky": {"04", "07"},
     "musabekov2018": {"1", "2", "4"},
     "mo2023": {"10", "12", "19", "36", "39", "steady error"},
-    "salgado2014": {"3", "unit d_rec", "no row"},
+    "salgado2014": {"3", "unit t", "unit d_rec", "degrees", "no row"},
     "yu": {"21", "table: rows", "Fig. 7", "mechanical power", "Fig. 8", "62.1 kJ"},
 }
 # Prints that something decides which is not printed.

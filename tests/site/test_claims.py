@@ -25,3 +25,17 @@ def test_figures_that_hang_on_what_is_not_printed():
     assert reach.endswith(" = 1")
     assert alone == r"a \le 0.5"
     assert both == r"2 \le {a}^2 \le 3"
+
+
+def test_a_unit_of_the_nomenclature_stands_upright():
+    p = Paper("swing", title="Swing")
+    size = p.scalar("size", "its size", latex="a")
+    wanted = {
+        "N m^2": r"\mathrm{N}\,\mathrm{m}^{2}",
+        "m^3/s": r"\mathrm{m}^{3}/\mathrm{s}",
+        "/s^2": r"1/\mathrm{s}^{2}",
+        "1": "1",
+    }
+    for unit, latex in wanted.items():
+        p.in_unit(unit, "a row", size, unit)
+        assert formulas(p, unit) == [rf"\left[a\right] = {latex}"]

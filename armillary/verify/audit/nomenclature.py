@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from armillary.algebra import scalar as s
+from armillary.algebra import vector as v
 from armillary.algebra.rigid import Matrix
 from armillary.derivation.paper import Paper
 from armillary.derivation.printed_units import UNITS, Factors, InUnit, product_of, written
@@ -20,7 +22,6 @@ def in_unit(paper: Paper, said: InUnit) -> Finding:
     """The printed unit beside the derived one; where they differ, the smallest change."""
     derived = _unit(said)
     told = _told(derived)
-    definition = claimed(said.value, paper)
     repair = None
     if product_of(said.factors).agrees(derived):
         verdict, says = Verdict.HOLDS, f"It holds: derived is {told}."
@@ -33,8 +34,16 @@ def in_unit(paper: Paper, said: InUnit) -> Finding:
             repair = Repair("unit", words, "", 1)
             verdict, says = Verdict.MISPRINT, f"It holds with {words}."
     made = finding_of(paper, said.key, verdict, said.quote, says, repair)
-    claims = (definition.identifier,) if definition is not None else ()
+    found = [claimed(entry, paper) for entry in _entries(said)]
+    claims = tuple(dict.fromkeys(d.identifier for d in found if d is not None))
     return replace(made, words="row of the nomenclature", claims=claims)
+
+
+def _entries(said: InUnit) -> list[s.Scalar | v.Vector]:
+    """What the symbol stands for; the entries of a matrix one by one."""
+    if not isinstance(said.value, Matrix):
+        return [said.value]
+    return [entry for row in said.value.rows for entry in row]
 
 
 def _unit(said: InUnit) -> Unit:
@@ -43,9 +52,7 @@ def _unit(said: InUnit) -> Unit:
     Raises:
         UnitError: where they do not.
     """
-    if not isinstance(said.value, Matrix):
-        return check_block(said.value) or ONE
-    units = [check_block(entry) or ONE for row in said.value.rows for entry in row]
+    units = [check_block(entry) or ONE for entry in _entries(said)]
     if not all(units[0].agrees(other) for other in units):
         raise UnitError(f"the entries of {said.key} have several units")
     return units[0]

@@ -323,5 +323,11 @@ def _round_values(q: AnyQuantity, small: Sequence[Quantity]) -> list[Any]:
         choices = list(_PLAIN)
     inside = [x for x in choices if low <= x <= high]
     if len(inside) < _CHOICES:
-        inside += [float(f"{low + part * (high - low):.2g}") for part in (0.5, 0.25, 0.75, 0, 1)]
+        inside += [_part_of(low, high, part) for part in (0.5, 0.25, 0.75, 0, 1)]
     return list(dict.fromkeys(x for x in inside if low <= x <= high)) or [low]
+
+
+def _part_of(low: float, high: float, part: float) -> float:
+    """So far from low to high, to two digits; 0 where rounding alone keeps it from 0."""
+    value = low + part * (high - low)
+    return float(f"{value:.2g}") if abs(value) > _SHOWN * (high - low) else 0.0

@@ -13,7 +13,8 @@ from ._runtime import Call
 
 __all__ = ["levels", "energy", "acceleration", "acceleration_smooth", "friction", "reactions",
     "pump_pressure", "rest_angle", "rest", "linear", "stick_band", "follow", "rest_volume",
-    "stick_volumes", "cycle", "pump_control_init", "pump_control_update", "single_axis",
+    "stick_volumes", "rest_volume_level", "free_surface", "power", "creep", "reactions_off",
+    "tube_part", "cycle", "pump_control_init", "pump_control_update", "single_axis",
     "single_axis_backtrack"]
 
 
@@ -30,8 +31,8 @@ class LevelsResult(NamedTuple):
 def levels(*, s, A_1, A_2, h_10, h_20, h_max, rho, g, M=None, l=None, lam=None, I_zz=None, w=None,
     x_1=None, y_1=None, x_2=None, y_2=None, a_t=None, L_t=None, m_t=None, S_t_xi=None,
     S_t_eta=None, I_t=None, Gamma_t=None, mu=None, r_f=None, r_A=None, r_B=None, omega_s=None,
-    q_pump=None, band_on=None, band_off=None, gcr=None, cross_axis_tilt=None, rotation_min=None,
-    rotation_max=None):
+    q_pump=None, band_on=None, band_off=None, lag=None, gcr=None, cross_axis_tilt=None,
+    rotation_min=None, rotation_max=None):
     """Levels in the containers, and the weights of their water.
 
     10 flops (6 mul, 2 add, 2 div, 0 sqrt), 0 sin/cos, 0 atan2
@@ -46,8 +47,8 @@ def levels(*, s, A_1, A_2, h_10, h_20, h_max, rho, g, M=None, l=None, lam=None, 
         rho: density of the water, kg/m^3
         g: acceleration of free fall, m/s^2
         M, l, lam, I_zz, w, x_1, y_1, x_2, y_2, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, mu,
-            r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min,
-            rotation_max: accepted and not read
+            r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr, cross_axis_tilt,
+            rotation_min, rotation_max: accepted and not read
 
     Returns:
         h_1: level in container 1, m
@@ -114,12 +115,12 @@ class EnergyResult(NamedTuple):
 
 
 def energy(*, theta, omega, s, q, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20,
-    h_max, a_t, L_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, m_t=None, mu=None, r_f=None, r_A=None,
-    r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None, gcr=None,
+    h_max, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu=None, r_f=None, r_A=None,
+    r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None, lag=None, gcr=None,
     cross_axis_tilt=None, rotation_min=None, rotation_max=None):
     """Kinetic and potential energy of trough and water.
 
-    77 flops (46 mul, 28 add, 3 div, 0 sqrt), 4 sin/cos, 0 atan2
+    85 flops (53 mul, 29 add, 3 div, 0 sqrt), 4 sin/cos, 0 atan2
 
     Args:
         theta: turn of the trough about the axis; filling container 1 turns it on, rad
@@ -142,20 +143,25 @@ def energy(*, theta, omega, s, q, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y
         h_max: height of either container, m
         a_t: cross-section of the tube, m^2
         L_t: length of the tube, m
-        S_t_xi: first moment of the water in the tube along xi, m*kg
-        S_t_eta: first moment of the water in the tube along eta, m*kg
+        m_t: mass of the water in the tube, kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
         I_t: second moment of the water in the tube about the axis, m^2*kg
         Gamma_t: twice the area that the tube sweeps about the axis on its way from container 2 to
             1: the integral of xi d(eta) - eta d(xi), m^2
         rho: density of the water, kg/m^3
         g: acceleration of free fall, m/s^2
-        m_t, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt,
+        mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr, cross_axis_tilt,
             rotation_min, rotation_max: accepted and not read
 
     Returns:
         T: kinetic energy of trough and water, N*m
         V: potential energy, zero where the mass centre is level with the axis, N*m
         status -3 (UNREACHABLE): a container would overflow, or hold less than nothing
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
+        status -3 (UNREACHABLE): no body has so little inertia: it is below M l^2, or its kinetic
+            energy may be negative
         status 5 (LIMIT): a container is empty: its pump draws air
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
@@ -180,6 +186,7 @@ def energy(*, theta, omega, s, q, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y
         ("h_max", h_max, 0.0, 10.0, 0.24375),
         ("a_t", a_t, 1e-06, 1.0, 0.0006625),
         ("L_t", L_t, 0.0, 100.0, 2.25),
+        ("m_t", m_t, 0.0, 100000.0, 1.9125),
         ("S_t_xi", S_t_xi, -100000.0, 100000.0, 0.075),
         ("S_t_eta", S_t_eta, -100000.0, 100000.0, 0.075),
         ("I_t", I_t, 0.0, 1000000.0, 1.25),
@@ -189,7 +196,7 @@ def energy(*, theta, omega, s, q, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y
     )
     xp = call.xp
     (theta, omega, s, q, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t,
-        L_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g) = call.values
+        L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g) = call.values
     t1 = 1.0 / A_1
     h_1 = h_10 + (s * t1)
     m_1 = (rho * A_1) * h_1
@@ -201,10 +208,10 @@ def energy(*, theta, omega, s, q, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y
     t5 = ((((x_2 * x_2) + t2) + (y_2 * y_2)) + (y_2 * h_2)) + (0.3333333333333333 * (h_2 * h_2))
     inertia = ((I_zz + (m_1 * t3)) + (m_2 * t5)) + I_t
     Gamma = ((x_1 * h_1) - (x_2 * h_2)) + Gamma_t
-    t6 = (0.5 * ((inertia * omega) * omega)) + (((rho * Gamma) * q) * omega)
+    t6 = rho * Gamma
     t7 = L_t / a_t
     m_eff = rho * (((h_1 * t1) + (h_2 * t4)) + t7)
-    T = t6 + (0.5 * ((m_eff * q) * q))
+    T = ((0.5 * ((inertia * omega) * omega)) + ((t6 * q) * omega)) + (0.5 * ((m_eff * q) * q))
     t8 = M * l
     cos_lam = xp.cos(lam)
     sin_lam = xp.sin(lam)
@@ -225,12 +232,29 @@ def energy(*, theta, omega, s, q, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y
     t20 = xp.logical_not(t19)
     t21 = xp.logical_and(t18, t20)
     spilt = xp.logical_not(t21)
-    t22 = 0.0 < h_1
-    t23 = 0.0 < h_2
-    t24 = xp.logical_and(t22, t23)
-    dry = xp.logical_not(t24)
+    m_fit = (rho * a_t) * L_t
+    t22 = 0.001 * m_fit
+    t23 = m_t - m_fit
+    t24 = t22 < t23
+    t25 = xp.logical_not(t24)
+    t26 = t22 < (-t23)
+    t27 = xp.logical_not(t26)
+    t28 = xp.logical_and(t25, t27)
+    misfit = xp.logical_not(t28)
+    t29 = I_zz < (0.999 * (t8 * l))
+    t30 = xp.logical_not(t29)
+    t31 = (inertia * m_eff) < (t6 * t6)
+    t32 = xp.logical_not(t31)
+    t33 = xp.logical_and(t30, t32)
+    too_slight = xp.logical_not(t33)
+    t34 = 0.0 < h_1
+    t35 = 0.0 < h_2
+    t36 = xp.logical_and(t34, t35)
+    dry = xp.logical_not(t36)
     call.case(5, dry)  # LIMIT
     call.case(-3, spilt)  # UNREACHABLE
+    call.case(-3, misfit)  # UNREACHABLE
+    call.case(-3, too_slight)  # UNREACHABLE
     return EnergyResult(
         T=call.array((), (T,)),
         V=call.array((), (V,)),
@@ -246,12 +270,13 @@ class AccelerationResult(NamedTuple):
 
 
 def acceleration(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2,
-    h_10, h_20, h_max, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, a_t=None, L_t=None,
-    r_A=None, r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None, gcr=None,
+    h_10, h_20, h_max, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A=None,
+    r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None, lag=None, gcr=None,
     cross_axis_tilt=None, rotation_min=None, rotation_max=None):
-    """Angular acceleration with dry friction, and whether it holds the trough.
+    """Angular acceleration with dry friction, and whether it holds the trough. An empty
+    container's LIMIT hides STICKING: friction holds where omega and alpha are 0.
 
-    192 flops (118 mul, 68 add, 4 div, 2 sqrt), 4 sin/cos, 0 atan2
+    206 flops (128 mul, 71 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2
 
     Args:
         theta: turn of the trough about the axis; filling container 1 turns it on, rad
@@ -273,9 +298,12 @@ def acceleration(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1
         h_10: level in container 1 before any water is moved, m
         h_20: level in container 2 before any water is moved, m
         h_max: height of either container, m
+        a_t: cross-section of the tube, m^2
+        L_t: length of the tube, m
         m_t: mass of the water in the tube, kg
-        S_t_xi: first moment of the water in the tube along xi, m*kg
-        S_t_eta: first moment of the water in the tube along eta, m*kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
         I_t: second moment of the water in the tube about the axis, m^2*kg
         Gamma_t: twice the area that the tube sweeps about the axis on its way from container 2 to
             1: the integral of xi d(eta) - eta d(xi), m^2
@@ -283,12 +311,15 @@ def acceleration(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1
         g: acceleration of free fall, m/s^2
         mu: friction coefficient of the bearings
         r_f: diameter of the bearings, m
-        a_t, L_t, r_A, r_B, omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt,
-            rotation_min, rotation_max: accepted and not read
+        r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min,
+            rotation_max: accepted and not read
 
     Returns:
         alpha: angular acceleration, rad/s^2
         status -3 (UNREACHABLE): a container would overflow, or hold less than nothing
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
+        status -3 (UNREACHABLE): no body has so little inertia: it is below M l^2, or its kinetic
+            energy may be negative
         status -3 (UNREACHABLE): the bearings jam, or the trough has no inertia
         status 5 (LIMIT): a container is empty: its pump draws air
         status 3 (STICKING): friction holds the trough: the acceleration is 0
@@ -314,6 +345,8 @@ def acceleration(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1
         ("h_10", h_10, 0.0, 10.0, 0.08125),
         ("h_20", h_20, 0.0, 10.0, 0.08125),
         ("h_max", h_max, 0.0, 10.0, 0.24375),
+        ("a_t", a_t, 1e-06, 1.0, 0.0006625),
+        ("L_t", L_t, 0.0, 100.0, 2.25),
         ("m_t", m_t, 0.0, 100000.0, 1.9125),
         ("S_t_xi", S_t_xi, -100000.0, 100000.0, 0.075),
         ("S_t_eta", S_t_eta, -100000.0, 100000.0, 0.075),
@@ -326,7 +359,7 @@ def acceleration(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1
     )
     xp = call.xp
     (theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20,
-        h_max, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f) = call.values
+        h_max, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f) = call.values
     t1 = omega < 0.0
     t2 = xp.logical_not(t1)
     t3 = 0.0 < omega
@@ -385,57 +418,77 @@ def acceleration(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1
     t38 = (t34 - t37) * omega
     inertia = ((I_zz + (m_1 * t32)) + (m_2 * t35)) + I_t
     Gamma = ((x_1 * h_1) - (x_2 * h_2)) + Gamma_t
-    t39 = ((rho * ((x_1 * t14) + (x_2 * t19))) * q) + ((rho * Gamma) * q_dot)
-    needed = ((0.5 * (t38 + t38)) + t39) + (g * ((S_x * cos_theta) - (S_y * sin_theta)))
-    t40 = M_most < (-needed)
-    t41 = xp.logical_not(t40)
-    t42 = xp.logical_and(stands, t41)
-    t43 = (-needed) < (-M_most)
-    t44 = xp.logical_not(t43)
-    sticks = xp.logical_and(t42, t44)
-    t45 = (-needed) < 0.0
-    t46 = call.select(t45, (-1.0), 1.0)
-    t47 = call.select(t1, (-1.0), 1.0)
-    direction = call.select(stands, t46, t47)
-    t48 = 1.0e-9 < inertia
-    weightless = xp.logical_not(t48)
-    t49 = call.select(weightless, 1.0, inertia)
-    t50 = 1.0 / t49
-    t51 = needed * t50
-    f_x = arm * (F_held_x + (t51 * S_y))
-    f_y = arm * (F_held_y - (t51 * S_x))
-    t52 = arm * t50
-    t53 = t52 * S_y
-    self_lever_y = t52 * S_x
-    t54 = (t53 * t53) + (self_lever_y * self_lever_y)
-    t55 = t54 < 0.999
-    t56 = xp.logical_and(t48, t55)
-    jammed = xp.logical_not(t56)
-    t57 = call.select(jammed, 0.0, direction)
-    t58 = t57 * ((f_x * self_lever_y) + (f_y * t53))
-    t59 = xp.sqrt(((f_x * f_x) + (f_y * f_y)) - (t58 * t58))
-    t60 = t59 - (t57 * ((f_y * self_lever_y) - (f_x * t53)))
-    M_slip = t60 / (1.0 - ((t57 * t57) * t54))
-    alpha_found = call.select(sticks, 0.0, (-((needed + (direction * M_slip)) * t50)))
-    t61 = h_1 < 0.0
-    t62 = xp.logical_not(t61)
-    t63 = h_2 < 0.0
-    t64 = xp.logical_not(t63)
-    t65 = xp.logical_and(t62, t64)
-    t66 = h_max < h_1
-    t67 = xp.logical_not(t66)
-    t68 = xp.logical_and(t65, t67)
-    t69 = h_max < h_2
-    t70 = xp.logical_not(t69)
-    t71 = xp.logical_and(t68, t70)
-    spilt = xp.logical_not(t71)
-    t72 = 0.0 < h_1
-    t73 = 0.0 < h_2
-    t74 = xp.logical_and(t72, t73)
-    dry = xp.logical_not(t74)
+    t39 = rho * Gamma
+    t40 = ((rho * ((x_1 * t14) + (x_2 * t19))) * q) + (t39 * q_dot)
+    needed = ((0.5 * (t38 + t38)) + t40) + (g * ((S_x * cos_theta) - (S_y * sin_theta)))
+    t41 = M_most < (-needed)
+    t42 = xp.logical_not(t41)
+    t43 = xp.logical_and(stands, t42)
+    t44 = (-needed) < (-M_most)
+    t45 = xp.logical_not(t44)
+    sticks = xp.logical_and(t43, t45)
+    t46 = (-needed) < 0.0
+    t47 = call.select(t46, (-1.0), 1.0)
+    t48 = call.select(t1, (-1.0), 1.0)
+    direction = call.select(stands, t47, t48)
+    t49 = 1.0e-9 < inertia
+    inertialess = xp.logical_not(t49)
+    t50 = call.select(inertialess, 1.0, inertia)
+    t51 = 1.0 / t50
+    t52 = needed * t51
+    f_x = arm * (F_held_x + (t52 * S_y))
+    f_y = arm * (F_held_y - (t52 * S_x))
+    t53 = arm * t51
+    t54 = t53 * S_y
+    self_lever_y = t53 * S_x
+    t55 = (t54 * t54) + (self_lever_y * self_lever_y)
+    t56 = t55 < 0.999
+    t57 = xp.logical_and(t49, t56)
+    jammed = xp.logical_not(t57)
+    t58 = call.select(jammed, 0.0, direction)
+    t59 = t58 * ((f_x * self_lever_y) + (f_y * t54))
+    t60 = xp.sqrt(((f_x * f_x) + (f_y * f_y)) - (t59 * t59))
+    t61 = t60 - (t58 * ((f_y * self_lever_y) - (f_x * t54)))
+    M_slip = t61 / (1.0 - ((t58 * t58) * t55))
+    alpha_found = call.select(sticks, 0.0, (-((needed + (direction * M_slip)) * t51)))
+    t62 = h_1 < 0.0
+    t63 = xp.logical_not(t62)
+    t64 = h_2 < 0.0
+    t65 = xp.logical_not(t64)
+    t66 = xp.logical_and(t63, t65)
+    t67 = h_max < h_1
+    t68 = xp.logical_not(t67)
+    t69 = xp.logical_and(t66, t68)
+    t70 = h_max < h_2
+    t71 = xp.logical_not(t70)
+    t72 = xp.logical_and(t69, t71)
+    spilt = xp.logical_not(t72)
+    m_fit = (rho * a_t) * L_t
+    t73 = 0.001 * m_fit
+    t74 = m_t - m_fit
+    t75 = t73 < t74
+    t76 = xp.logical_not(t75)
+    t77 = t73 < (-t74)
+    t78 = xp.logical_not(t77)
+    t79 = xp.logical_and(t76, t78)
+    misfit = xp.logical_not(t79)
+    t80 = I_zz < (0.999 * (t28 * l))
+    t81 = xp.logical_not(t80)
+    t82 = L_t / a_t
+    m_eff = rho * (((h_1 * t6) + (h_2 * t10)) + t82)
+    t83 = (inertia * m_eff) < (t39 * t39)
+    t84 = xp.logical_not(t83)
+    t85 = xp.logical_and(t81, t84)
+    too_slight = xp.logical_not(t85)
+    t86 = 0.0 < h_1
+    t87 = 0.0 < h_2
+    t88 = xp.logical_and(t86, t87)
+    dry = xp.logical_not(t88)
     call.case(3, sticks)  # STICKING
     call.case(5, dry)  # LIMIT
     call.case(-3, spilt)  # UNREACHABLE
+    call.case(-3, misfit)  # UNREACHABLE
+    call.case(-3, too_slight)  # UNREACHABLE
     call.case(-3, jammed)  # UNREACHABLE
     return AccelerationResult(
         alpha=call.array((), (alpha_found,)),
@@ -451,12 +504,12 @@ class AccelerationSmoothResult(NamedTuple):
 
 
 def acceleration_smooth(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2,
-    y_2, h_10, h_20, h_max, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, omega_s,
-    a_t=None, L_t=None, r_A=None, r_B=None, q_pump=None, band_on=None, band_off=None, gcr=None,
+    y_2, h_10, h_20, h_max, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f,
+    omega_s, r_A=None, r_B=None, q_pump=None, band_on=None, band_off=None, lag=None, gcr=None,
     cross_axis_tilt=None, rotation_min=None, rotation_max=None):
     """The same with friction that grows with the speed and never holds.
 
-    191 flops (116 mul, 68 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2
+    205 flops (126 mul, 71 add, 6 div, 2 sqrt), 4 sin/cos, 0 atan2
 
     Args:
         theta: turn of the trough about the axis; filling container 1 turns it on, rad
@@ -478,9 +531,12 @@ def acceleration_smooth(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2,
         h_10: level in container 1 before any water is moved, m
         h_20: level in container 2 before any water is moved, m
         h_max: height of either container, m
+        a_t: cross-section of the tube, m^2
+        L_t: length of the tube, m
         m_t: mass of the water in the tube, kg
-        S_t_xi: first moment of the water in the tube along xi, m*kg
-        S_t_eta: first moment of the water in the tube along eta, m*kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
         I_t: second moment of the water in the tube about the axis, m^2*kg
         Gamma_t: twice the area that the tube sweeps about the axis on its way from container 2 to
             1: the integral of xi d(eta) - eta d(xi), m^2
@@ -489,12 +545,15 @@ def acceleration_smooth(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2,
         mu: friction coefficient of the bearings
         r_f: diameter of the bearings, m
         omega_s: angular velocity at which smooth friction has 0.71 of its size, rad/s
-        a_t, L_t, r_A, r_B, q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min,
+        r_A, r_B, q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min,
             rotation_max: accepted and not read
 
     Returns:
         alpha: angular acceleration under smooth friction, rad/s^2
         status -3 (UNREACHABLE): a container would overflow, or hold less than nothing
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
+        status -3 (UNREACHABLE): no body has so little inertia: it is below M l^2, or its kinetic
+            energy may be negative
         status -3 (UNREACHABLE): the bearings jam, or the trough has no inertia
         status 5 (LIMIT): a container is empty: its pump draws air
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
@@ -519,6 +578,8 @@ def acceleration_smooth(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2,
         ("h_10", h_10, 0.0, 10.0, 0.08125),
         ("h_20", h_20, 0.0, 10.0, 0.08125),
         ("h_max", h_max, 0.0, 10.0, 0.24375),
+        ("a_t", a_t, 1e-06, 1.0, 0.0006625),
+        ("L_t", L_t, 0.0, 100.0, 2.25),
         ("m_t", m_t, 0.0, 100000.0, 1.9125),
         ("S_t_xi", S_t_xi, -100000.0, 100000.0, 0.075),
         ("S_t_eta", S_t_eta, -100000.0, 100000.0, 0.075),
@@ -532,7 +593,8 @@ def acceleration_smooth(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2,
     )
     xp = call.xp
     (theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20,
-        h_max, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, omega_s) = call.values
+        h_max, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f,
+        omega_s) = call.values
     t1 = rho * A_1
     t2 = 1.0 / A_1
     t3 = q * t2
@@ -555,79 +617,99 @@ def acceleration_smooth(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2,
     t16 = (t8 - t15) * omega
     inertia = ((I_zz + (m_1 * t6)) + (m_2 * t13)) + I_t
     Gamma = ((x_1 * h_1) - (x_2 * h_2)) + Gamma_t
-    t17 = ((rho * ((x_1 * t3) + (x_2 * t11))) * q) + ((rho * Gamma) * q_dot)
-    t18 = M * l
+    t17 = rho * Gamma
+    t18 = ((rho * ((x_1 * t3) + (x_2 * t11))) * q) + (t17 * q_dot)
+    t19 = M * l
     cos_lam = xp.cos(lam)
-    S_x = (((t18 * cos_lam) + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi
+    S_x = (((t19 * cos_lam) + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi
     sin_lam = xp.sin(lam)
-    t19 = y_1 + (0.5 * h_1)
-    t20 = y_2 + (0.5 * h_2)
-    S_y = (((t18 * sin_lam) + (m_1 * t19)) + (m_2 * t20)) + S_t_eta
+    t20 = y_1 + (0.5 * h_1)
+    t21 = y_2 + (0.5 * h_2)
+    S_y = (((t19 * sin_lam) + (m_1 * t20)) + (m_2 * t21)) + S_t_eta
     cos_theta = xp.cos(theta)
     sin_theta = xp.sin(theta)
-    needed = ((0.5 * (t16 + t16)) + t17) + (g * ((S_x * cos_theta) - (S_y * sin_theta)))
-    t21 = omega * omega
-    t22 = xp.sqrt(t21 + (omega_s * omega_s))
-    tau = omega / t22
+    needed = ((0.5 * (t16 + t16)) + t18) + (g * ((S_x * cos_theta) - (S_y * sin_theta)))
+    t22 = omega * omega
+    t23 = xp.sqrt(t22 + (omega_s * omega_s))
+    tau = omega / t23
     arm = 0.5 * (mu * r_f)
-    t23 = q_dot * t2
-    t24 = t1 * t23
-    t25 = q_dot * t10
-    t26 = t9 * t25
-    t27 = 0.5 * t3
-    t28 = t4 * t27
-    t29 = 0.5 * t11
-    t30 = t12 * t29
-    t31 = (t30 - (t26 * t20)) + (t30 - (m_2 * (0.5 * t25)))
-    t32 = (((t24 * t19) + t28) + (t28 + (m_1 * (0.5 * t23)))) + t31
-    t33 = 2.0 * omega
+    t24 = q_dot * t2
+    t25 = t1 * t24
+    t26 = q_dot * t10
+    t27 = t9 * t26
+    t28 = 0.5 * t3
+    t29 = t4 * t28
+    t30 = 0.5 * t11
+    t31 = t12 * t30
+    t32 = (t31 - (t27 * t21)) + (t31 - (m_2 * (0.5 * t26)))
+    t33 = (((t25 * t20) + t29) + (t29 + (m_1 * (0.5 * t24)))) + t32
+    t34 = 2.0 * omega
     S_dot_x = (t4 * x_1) - (t12 * x_2)
-    S_dot_y = ((t4 * t19) + (m_1 * t27)) - ((t12 * t20) + (m_2 * t29))
-    t34 = ((t24 * x_1) - (t26 * x_2)) - (t33 * S_dot_y)
+    S_dot_y = ((t4 * t20) + (m_1 * t28)) - ((t12 * t21) + (m_2 * t30))
+    t35 = ((t25 * x_1) - (t27 * x_2)) - (t34 * S_dot_y)
     m_all = (M + (rho * ((A_1 * h_10) + (A_2 * h_20)))) + m_t
-    t35 = m_all * g
-    F_held_x = (t34 - (t21 * S_x)) + (t35 * sin_theta)
-    F_held_y = ((t32 + (t33 * S_dot_x)) - (t21 * S_y)) + (t35 * cos_theta)
-    t36 = 1.0e-9 < inertia
-    weightless = xp.logical_not(t36)
-    t37 = call.select(weightless, 1.0, inertia)
-    t38 = 1.0 / t37
-    t39 = needed * t38
-    f_x = arm * (F_held_x + (t39 * S_y))
-    f_y = arm * (F_held_y - (t39 * S_x))
-    t40 = arm * t38
-    t41 = t40 * S_y
-    self_lever_y = t40 * S_x
-    t42 = (t41 * t41) + (self_lever_y * self_lever_y)
-    t43 = t42 < 0.999
-    t44 = xp.logical_and(t36, t43)
-    jammed = xp.logical_not(t44)
-    t45 = call.select(jammed, 0.0, tau)
-    t46 = t45 * ((f_x * self_lever_y) + (f_y * t41))
-    t47 = xp.sqrt(((f_x * f_x) + (f_y * f_y)) - (t46 * t46))
-    t48 = t47 - (t45 * ((f_y * self_lever_y) - (f_x * t41)))
-    t49 = t48 / (1.0 - ((t45 * t45) * t42))
-    t50 = h_1 < 0.0
-    t51 = xp.logical_not(t50)
-    t52 = h_2 < 0.0
-    t53 = xp.logical_not(t52)
-    t54 = xp.logical_and(t51, t53)
-    t55 = h_max < h_1
-    t56 = xp.logical_not(t55)
-    t57 = xp.logical_and(t54, t56)
-    t58 = h_max < h_2
-    t59 = xp.logical_not(t58)
-    t60 = xp.logical_and(t57, t59)
-    spilt = xp.logical_not(t60)
-    t61 = 0.0 < h_1
-    t62 = 0.0 < h_2
-    t63 = xp.logical_and(t61, t62)
-    dry = xp.logical_not(t63)
+    t36 = m_all * g
+    F_held_x = (t35 - (t22 * S_x)) + (t36 * sin_theta)
+    F_held_y = ((t33 + (t34 * S_dot_x)) - (t22 * S_y)) + (t36 * cos_theta)
+    t37 = 1.0e-9 < inertia
+    inertialess = xp.logical_not(t37)
+    t38 = call.select(inertialess, 1.0, inertia)
+    t39 = 1.0 / t38
+    t40 = needed * t39
+    f_x = arm * (F_held_x + (t40 * S_y))
+    f_y = arm * (F_held_y - (t40 * S_x))
+    t41 = arm * t39
+    t42 = t41 * S_y
+    self_lever_y = t41 * S_x
+    t43 = (t42 * t42) + (self_lever_y * self_lever_y)
+    t44 = t43 < 0.999
+    t45 = xp.logical_and(t37, t44)
+    jammed = xp.logical_not(t45)
+    t46 = call.select(jammed, 0.0, tau)
+    t47 = t46 * ((f_x * self_lever_y) + (f_y * t42))
+    t48 = xp.sqrt(((f_x * f_x) + (f_y * f_y)) - (t47 * t47))
+    t49 = t48 - (t46 * ((f_y * self_lever_y) - (f_x * t42)))
+    t50 = t49 / (1.0 - ((t46 * t46) * t43))
+    t51 = h_1 < 0.0
+    t52 = xp.logical_not(t51)
+    t53 = h_2 < 0.0
+    t54 = xp.logical_not(t53)
+    t55 = xp.logical_and(t52, t54)
+    t56 = h_max < h_1
+    t57 = xp.logical_not(t56)
+    t58 = xp.logical_and(t55, t57)
+    t59 = h_max < h_2
+    t60 = xp.logical_not(t59)
+    t61 = xp.logical_and(t58, t60)
+    spilt = xp.logical_not(t61)
+    m_fit = (rho * a_t) * L_t
+    t62 = 0.001 * m_fit
+    t63 = m_t - m_fit
+    t64 = t62 < t63
+    t65 = xp.logical_not(t64)
+    t66 = t62 < (-t63)
+    t67 = xp.logical_not(t66)
+    t68 = xp.logical_and(t65, t67)
+    misfit = xp.logical_not(t68)
+    t69 = I_zz < (0.999 * (t19 * l))
+    t70 = xp.logical_not(t69)
+    t71 = L_t / a_t
+    m_eff = rho * (((h_1 * t2) + (h_2 * t10)) + t71)
+    t72 = (inertia * m_eff) < (t17 * t17)
+    t73 = xp.logical_not(t72)
+    t74 = xp.logical_and(t70, t73)
+    too_slight = xp.logical_not(t74)
+    t75 = 0.0 < h_1
+    t76 = 0.0 < h_2
+    t77 = xp.logical_and(t75, t76)
+    dry = xp.logical_not(t77)
     call.case(5, dry)  # LIMIT
     call.case(-3, spilt)  # UNREACHABLE
+    call.case(-3, misfit)  # UNREACHABLE
+    call.case(-3, too_slight)  # UNREACHABLE
     call.case(-3, jammed)  # UNREACHABLE
     return AccelerationSmoothResult(
-        alpha=call.array((), (-((needed + (tau * t49)) * t38),)),
+        alpha=call.array((), (-((needed + (tau * t50)) * t39),)),
         status=call.status,
     )
 
@@ -642,12 +724,12 @@ class FrictionResult(NamedTuple):
 
 
 def friction(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10,
-    h_20, h_max, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A, r_B, a_t=None,
-    L_t=None, omega_s=None, q_pump=None, band_on=None, band_off=None, gcr=None,
+    h_20, h_max, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A, r_B,
+    omega_s=None, q_pump=None, band_on=None, band_off=None, lag=None, gcr=None,
     cross_axis_tilt=None, rotation_min=None, rotation_max=None):
     """Moments of friction of the bearings on the trough.
 
-    195 flops (119 mul, 69 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2
+    209 flops (129 mul, 72 add, 6 div, 2 sqrt), 4 sin/cos, 0 atan2
 
     Args:
         theta: turn of the trough about the axis; filling container 1 turns it on, rad
@@ -669,9 +751,12 @@ def friction(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y_
         h_10: level in container 1 before any water is moved, m
         h_20: level in container 2 before any water is moved, m
         h_max: height of either container, m
+        a_t: cross-section of the tube, m^2
+        L_t: length of the tube, m
         m_t: mass of the water in the tube, kg
-        S_t_xi: first moment of the water in the tube along xi, m*kg
-        S_t_eta: first moment of the water in the tube along eta, m*kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
         I_t: second moment of the water in the tube about the axis, m^2*kg
         Gamma_t: twice the area that the tube sweeps about the axis on its way from container 2 to
             1: the integral of xi d(eta) - eta d(xi), m^2
@@ -681,14 +766,17 @@ def friction(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y_
         r_f: diameter of the bearings, m
         r_A: distance of bearing A from O along the axis, m
         r_B: distance of bearing B from O along the axis, m
-        a_t, L_t, omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min,
-            rotation_max: accepted and not read
+        omega_s, q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max:
+            accepted and not read
 
     Returns:
         M_FA: moment of friction of bearing A on the trough, N*m
         M_FB: moment of friction of bearing B on the trough, N*m
         M_F: moment of friction of both bearings on the trough, N*m
         status -3 (UNREACHABLE): a container would overflow, or hold less than nothing
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
+        status -3 (UNREACHABLE): no body has so little inertia: it is below M l^2, or its kinetic
+            energy may be negative
         status -3 (UNREACHABLE): the bearings jam, or the trough has no inertia
         status 5 (LIMIT): a container is empty: its pump draws air
         status 3 (STICKING): friction holds the trough: the acceleration is 0
@@ -714,6 +802,8 @@ def friction(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y_
         ("h_10", h_10, 0.0, 10.0, 0.08125),
         ("h_20", h_20, 0.0, 10.0, 0.08125),
         ("h_max", h_max, 0.0, 10.0, 0.24375),
+        ("a_t", a_t, 1e-06, 1.0, 0.0006625),
+        ("L_t", L_t, 0.0, 100.0, 2.25),
         ("m_t", m_t, 0.0, 100000.0, 1.9125),
         ("S_t_xi", S_t_xi, -100000.0, 100000.0, 0.075),
         ("S_t_eta", S_t_eta, -100000.0, 100000.0, 0.075),
@@ -728,7 +818,8 @@ def friction(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y_
     )
     xp = call.xp
     (theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20,
-        h_max, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A, r_B) = call.values
+        h_max, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A,
+        r_B) = call.values
     share_A = r_B / (r_A + r_B)
     t1 = omega < 0.0
     t2 = xp.logical_not(t1)
@@ -788,59 +879,79 @@ def friction(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y_
     t38 = (t34 - t37) * omega
     inertia = ((I_zz + (m_1 * t32)) + (m_2 * t35)) + I_t
     Gamma = ((x_1 * h_1) - (x_2 * h_2)) + Gamma_t
-    t39 = ((rho * ((x_1 * t14) + (x_2 * t19))) * q) + ((rho * Gamma) * q_dot)
-    needed = ((0.5 * (t38 + t38)) + t39) + (g * ((S_x * cos_theta) - (S_y * sin_theta)))
-    t40 = M_most < (-needed)
-    t41 = xp.logical_not(t40)
-    t42 = xp.logical_and(stands, t41)
-    t43 = (-needed) < (-M_most)
-    t44 = xp.logical_not(t43)
-    sticks = xp.logical_and(t42, t44)
-    t45 = (-needed) < 0.0
-    t46 = call.select(t45, (-1.0), 1.0)
-    t47 = call.select(t1, (-1.0), 1.0)
-    direction = call.select(stands, t46, t47)
-    t48 = 1.0e-9 < inertia
-    weightless = xp.logical_not(t48)
-    t49 = call.select(weightless, 1.0, inertia)
-    t50 = 1.0 / t49
-    t51 = needed * t50
-    f_x = arm * (F_held_x + (t51 * S_y))
-    f_y = arm * (F_held_y - (t51 * S_x))
-    t52 = arm * t50
-    t53 = t52 * S_y
-    self_lever_y = t52 * S_x
-    t54 = (t53 * t53) + (self_lever_y * self_lever_y)
-    t55 = t54 < 0.999
-    t56 = xp.logical_and(t48, t55)
-    jammed = xp.logical_not(t56)
-    t57 = call.select(jammed, 0.0, direction)
-    t58 = t57 * ((f_x * self_lever_y) + (f_y * t53))
-    t59 = xp.sqrt(((f_x * f_x) + (f_y * f_y)) - (t58 * t58))
-    t60 = t59 - (t57 * ((f_y * self_lever_y) - (f_x * t53)))
-    M_slip = t60 / (1.0 - ((t57 * t57) * t54))
+    t39 = rho * Gamma
+    t40 = ((rho * ((x_1 * t14) + (x_2 * t19))) * q) + (t39 * q_dot)
+    needed = ((0.5 * (t38 + t38)) + t40) + (g * ((S_x * cos_theta) - (S_y * sin_theta)))
+    t41 = M_most < (-needed)
+    t42 = xp.logical_not(t41)
+    t43 = xp.logical_and(stands, t42)
+    t44 = (-needed) < (-M_most)
+    t45 = xp.logical_not(t44)
+    sticks = xp.logical_and(t43, t45)
+    t46 = (-needed) < 0.0
+    t47 = call.select(t46, (-1.0), 1.0)
+    t48 = call.select(t1, (-1.0), 1.0)
+    direction = call.select(stands, t47, t48)
+    t49 = 1.0e-9 < inertia
+    inertialess = xp.logical_not(t49)
+    t50 = call.select(inertialess, 1.0, inertia)
+    t51 = 1.0 / t50
+    t52 = needed * t51
+    f_x = arm * (F_held_x + (t52 * S_y))
+    f_y = arm * (F_held_y - (t52 * S_x))
+    t53 = arm * t51
+    t54 = t53 * S_y
+    self_lever_y = t53 * S_x
+    t55 = (t54 * t54) + (self_lever_y * self_lever_y)
+    t56 = t55 < 0.999
+    t57 = xp.logical_and(t49, t56)
+    jammed = xp.logical_not(t57)
+    t58 = call.select(jammed, 0.0, direction)
+    t59 = t58 * ((f_x * self_lever_y) + (f_y * t54))
+    t60 = xp.sqrt(((f_x * f_x) + (f_y * f_y)) - (t59 * t59))
+    t61 = t60 - (t58 * ((f_y * self_lever_y) - (f_x * t54)))
+    M_slip = t61 / (1.0 - ((t58 * t58) * t55))
     M_F = call.select(sticks, needed, (-(direction * M_slip)))
     M_FA = share_A * M_F
     M_FB = (1.0 - share_A) * M_F
-    t61 = h_1 < 0.0
-    t62 = xp.logical_not(t61)
-    t63 = h_2 < 0.0
-    t64 = xp.logical_not(t63)
-    t65 = xp.logical_and(t62, t64)
-    t66 = h_max < h_1
-    t67 = xp.logical_not(t66)
-    t68 = xp.logical_and(t65, t67)
-    t69 = h_max < h_2
-    t70 = xp.logical_not(t69)
-    t71 = xp.logical_and(t68, t70)
-    spilt = xp.logical_not(t71)
-    t72 = 0.0 < h_1
-    t73 = 0.0 < h_2
-    t74 = xp.logical_and(t72, t73)
-    dry = xp.logical_not(t74)
+    t62 = h_1 < 0.0
+    t63 = xp.logical_not(t62)
+    t64 = h_2 < 0.0
+    t65 = xp.logical_not(t64)
+    t66 = xp.logical_and(t63, t65)
+    t67 = h_max < h_1
+    t68 = xp.logical_not(t67)
+    t69 = xp.logical_and(t66, t68)
+    t70 = h_max < h_2
+    t71 = xp.logical_not(t70)
+    t72 = xp.logical_and(t69, t71)
+    spilt = xp.logical_not(t72)
+    m_fit = (rho * a_t) * L_t
+    t73 = 0.001 * m_fit
+    t74 = m_t - m_fit
+    t75 = t73 < t74
+    t76 = xp.logical_not(t75)
+    t77 = t73 < (-t74)
+    t78 = xp.logical_not(t77)
+    t79 = xp.logical_and(t76, t78)
+    misfit = xp.logical_not(t79)
+    t80 = I_zz < (0.999 * (t28 * l))
+    t81 = xp.logical_not(t80)
+    t82 = L_t / a_t
+    m_eff = rho * (((h_1 * t6) + (h_2 * t10)) + t82)
+    t83 = (inertia * m_eff) < (t39 * t39)
+    t84 = xp.logical_not(t83)
+    t85 = xp.logical_and(t81, t84)
+    too_slight = xp.logical_not(t85)
+    t86 = 0.0 < h_1
+    t87 = 0.0 < h_2
+    t88 = xp.logical_and(t86, t87)
+    dry = xp.logical_not(t88)
     call.case(3, sticks)  # STICKING
     call.case(5, dry)  # LIMIT
     call.case(-3, spilt)  # UNREACHABLE
+    call.case(-3, misfit)  # UNREACHABLE
+    call.case(-3, too_slight)  # UNREACHABLE
     call.case(-3, jammed)  # UNREACHABLE
     return FrictionResult(
         M_FA=call.array((), (M_FA,)),
@@ -859,12 +970,12 @@ class ReactionsResult(NamedTuple):
 
 
 def reactions(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2,
-    h_10, h_20, h_max, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A, r_B, a_t=None,
-    L_t=None, omega_s=None, q_pump=None, band_on=None, band_off=None, gcr=None,
+    h_10, h_20, h_max, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A, r_B,
+    omega_s=None, q_pump=None, band_on=None, band_off=None, lag=None, gcr=None,
     cross_axis_tilt=None, rotation_min=None, rotation_max=None):
     """Forces of the bearings on the trough, level and upward.
 
-    215 flops (132 mul, 76 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2
+    229 flops (142 mul, 79 add, 6 div, 2 sqrt), 4 sin/cos, 0 atan2
 
     Args:
         theta: turn of the trough about the axis; filling container 1 turns it on, rad
@@ -886,9 +997,12 @@ def reactions(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y
         h_10: level in container 1 before any water is moved, m
         h_20: level in container 2 before any water is moved, m
         h_max: height of either container, m
+        a_t: cross-section of the tube, m^2
+        L_t: length of the tube, m
         m_t: mass of the water in the tube, kg
-        S_t_xi: first moment of the water in the tube along xi, m*kg
-        S_t_eta: first moment of the water in the tube along eta, m*kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
         I_t: second moment of the water in the tube about the axis, m^2*kg
         Gamma_t: twice the area that the tube sweeps about the axis on its way from container 2 to
             1: the integral of xi d(eta) - eta d(xi), m^2
@@ -898,13 +1012,16 @@ def reactions(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y
         r_f: diameter of the bearings, m
         r_A: distance of bearing A from O along the axis, m
         r_B: distance of bearing B from O along the axis, m
-        a_t, L_t, omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min,
-            rotation_max: accepted and not read
+        omega_s, q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max:
+            accepted and not read
 
     Returns:
         F_A: force of bearing A on the trough in motion, level and upward, N, shape (..., 2)
         F_B: force of bearing B on the trough in motion, level and upward, N, shape (..., 2)
         status -3 (UNREACHABLE): a container would overflow, or hold less than nothing
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
+        status -3 (UNREACHABLE): no body has so little inertia: it is below M l^2, or its kinetic
+            energy may be negative
         status -3 (UNREACHABLE): the bearings jam, or the trough has no inertia
         status 5 (LIMIT): a container is empty: its pump draws air
         status 3 (STICKING): friction holds the trough: the acceleration is 0
@@ -930,6 +1047,8 @@ def reactions(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y
         ("h_10", h_10, 0.0, 10.0, 0.08125),
         ("h_20", h_20, 0.0, 10.0, 0.08125),
         ("h_max", h_max, 0.0, 10.0, 0.24375),
+        ("a_t", a_t, 1e-06, 1.0, 0.0006625),
+        ("L_t", L_t, 0.0, 100.0, 2.25),
         ("m_t", m_t, 0.0, 100000.0, 1.9125),
         ("S_t_xi", S_t_xi, -100000.0, 100000.0, 0.075),
         ("S_t_eta", S_t_eta, -100000.0, 100000.0, 0.075),
@@ -944,7 +1063,8 @@ def reactions(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y
     )
     xp = call.xp
     (theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20,
-        h_max, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A, r_B) = call.values
+        h_max, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A,
+        r_B) = call.values
     share_A = r_B / (r_A + r_B)
     t1 = rho * A_1
     t2 = 1.0 / A_1
@@ -1004,68 +1124,88 @@ def reactions(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y
     t38 = (t34 - t37) * omega
     inertia = ((I_zz + (m_1 * t32)) + (m_2 * t35)) + I_t
     Gamma = ((x_1 * h_1) - (x_2 * h_2)) + Gamma_t
-    t39 = ((rho * ((x_1 * t10) + (x_2 * t15))) * q) + ((rho * Gamma) * q_dot)
-    needed = ((0.5 * (t38 + t38)) + t39) + (g * ((S_x * cos_theta) - (S_y * sin_theta)))
-    t40 = M_most < (-needed)
-    t41 = xp.logical_not(t40)
-    t42 = xp.logical_and(stands, t41)
-    t43 = (-needed) < (-M_most)
-    t44 = xp.logical_not(t43)
-    sticks = xp.logical_and(t42, t44)
-    t45 = (-needed) < 0.0
-    t46 = call.select(t45, (-1.0), 1.0)
-    t47 = call.select(t26, (-1.0), 1.0)
-    direction = call.select(stands, t46, t47)
-    t48 = 1.0e-9 < inertia
-    weightless = xp.logical_not(t48)
-    t49 = call.select(weightless, 1.0, inertia)
-    t50 = 1.0 / t49
-    t51 = needed * t50
-    f_x = arm * (F_held_x + (t51 * S_y))
-    f_y = arm * (F_held_y - (t51 * S_x))
-    t52 = arm * t50
-    t53 = t52 * S_y
-    self_lever_y = t52 * S_x
-    t54 = (t53 * t53) + (self_lever_y * self_lever_y)
-    t55 = t54 < 0.999
-    t56 = xp.logical_and(t48, t55)
-    jammed = xp.logical_not(t56)
-    t57 = call.select(jammed, 0.0, direction)
-    t58 = t57 * ((f_x * self_lever_y) + (f_y * t53))
-    t59 = xp.sqrt(((f_x * f_x) + (f_y * f_y)) - (t58 * t58))
-    t60 = t59 - (t57 * ((f_y * self_lever_y) - (f_x * t53)))
-    M_slip = t60 / (1.0 - ((t57 * t57) * t54))
-    alpha_found = call.select(sticks, 0.0, (-((needed + (direction * M_slip)) * t50)))
+    t39 = rho * Gamma
+    t40 = ((rho * ((x_1 * t10) + (x_2 * t15))) * q) + (t39 * q_dot)
+    needed = ((0.5 * (t38 + t38)) + t40) + (g * ((S_x * cos_theta) - (S_y * sin_theta)))
+    t41 = M_most < (-needed)
+    t42 = xp.logical_not(t41)
+    t43 = xp.logical_and(stands, t42)
+    t44 = (-needed) < (-M_most)
+    t45 = xp.logical_not(t44)
+    sticks = xp.logical_and(t43, t45)
+    t46 = (-needed) < 0.0
+    t47 = call.select(t46, (-1.0), 1.0)
+    t48 = call.select(t26, (-1.0), 1.0)
+    direction = call.select(stands, t47, t48)
+    t49 = 1.0e-9 < inertia
+    inertialess = xp.logical_not(t49)
+    t50 = call.select(inertialess, 1.0, inertia)
+    t51 = 1.0 / t50
+    t52 = needed * t51
+    f_x = arm * (F_held_x + (t52 * S_y))
+    f_y = arm * (F_held_y - (t52 * S_x))
+    t53 = arm * t51
+    t54 = t53 * S_y
+    self_lever_y = t53 * S_x
+    t55 = (t54 * t54) + (self_lever_y * self_lever_y)
+    t56 = t55 < 0.999
+    t57 = xp.logical_and(t49, t56)
+    jammed = xp.logical_not(t57)
+    t58 = call.select(jammed, 0.0, direction)
+    t59 = t58 * ((f_x * self_lever_y) + (f_y * t54))
+    t60 = xp.sqrt(((f_x * f_x) + (f_y * f_y)) - (t59 * t59))
+    t61 = t60 - (t58 * ((f_y * self_lever_y) - (f_x * t54)))
+    M_slip = t61 / (1.0 - ((t58 * t58) * t55))
+    alpha_found = call.select(sticks, 0.0, (-((needed + (direction * M_slip)) * t51)))
     F_all_x = F_held_x - (alpha_found * S_y)
     F_all_y = F_held_y + (alpha_found * S_x)
-    t61 = share_A * F_all_x
-    t62 = share_A * F_all_y
-    F_A_11 = (cos_theta * t61) - (sin_theta * t62)
-    F_A_12 = (sin_theta * t61) + (cos_theta * t62)
-    t63 = 1.0 - share_A
-    t64 = t63 * F_all_x
-    t65 = t63 * F_all_y
-    F_B_11 = (cos_theta * t64) - (sin_theta * t65)
-    F_B_12 = (sin_theta * t64) + (cos_theta * t65)
-    t66 = h_1 < 0.0
-    t67 = xp.logical_not(t66)
-    t68 = h_2 < 0.0
-    t69 = xp.logical_not(t68)
-    t70 = xp.logical_and(t67, t69)
-    t71 = h_max < h_1
-    t72 = xp.logical_not(t71)
-    t73 = xp.logical_and(t70, t72)
-    t74 = h_max < h_2
-    t75 = xp.logical_not(t74)
-    t76 = xp.logical_and(t73, t75)
-    spilt = xp.logical_not(t76)
-    t77 = 0.0 < h_1
-    t78 = 0.0 < h_2
-    t79 = xp.logical_and(t77, t78)
-    dry = xp.logical_not(t79)
+    t62 = share_A * F_all_x
+    t63 = share_A * F_all_y
+    F_A_11 = (cos_theta * t62) - (sin_theta * t63)
+    F_A_12 = (sin_theta * t62) + (cos_theta * t63)
+    t64 = 1.0 - share_A
+    t65 = t64 * F_all_x
+    t66 = t64 * F_all_y
+    F_B_11 = (cos_theta * t65) - (sin_theta * t66)
+    F_B_12 = (sin_theta * t65) + (cos_theta * t66)
+    t67 = h_1 < 0.0
+    t68 = xp.logical_not(t67)
+    t69 = h_2 < 0.0
+    t70 = xp.logical_not(t69)
+    t71 = xp.logical_and(t68, t70)
+    t72 = h_max < h_1
+    t73 = xp.logical_not(t72)
+    t74 = xp.logical_and(t71, t73)
+    t75 = h_max < h_2
+    t76 = xp.logical_not(t75)
+    t77 = xp.logical_and(t74, t76)
+    spilt = xp.logical_not(t77)
+    m_fit = (rho * a_t) * L_t
+    t78 = 0.001 * m_fit
+    t79 = m_t - m_fit
+    t80 = t78 < t79
+    t81 = xp.logical_not(t80)
+    t82 = t78 < (-t79)
+    t83 = xp.logical_not(t82)
+    t84 = xp.logical_and(t81, t83)
+    misfit = xp.logical_not(t84)
+    t85 = I_zz < (0.999 * (t24 * l))
+    t86 = xp.logical_not(t85)
+    t87 = L_t / a_t
+    m_eff = rho * (((h_1 * t2) + (h_2 * t6)) + t87)
+    t88 = (inertia * m_eff) < (t39 * t39)
+    t89 = xp.logical_not(t88)
+    t90 = xp.logical_and(t86, t89)
+    too_slight = xp.logical_not(t90)
+    t91 = 0.0 < h_1
+    t92 = 0.0 < h_2
+    t93 = xp.logical_and(t91, t92)
+    dry = xp.logical_not(t93)
     call.case(3, sticks)  # STICKING
     call.case(5, dry)  # LIMIT
     call.case(-3, spilt)  # UNREACHABLE
+    call.case(-3, misfit)  # UNREACHABLE
+    call.case(-3, too_slight)  # UNREACHABLE
     call.case(-3, jammed)  # UNREACHABLE
     return ReactionsResult(
         F_A=call.array((2,), (F_A_11, F_A_12)),
@@ -1083,11 +1223,11 @@ class PumpPressureResult(NamedTuple):
 
 def pump_pressure(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2,
     h_10, h_20, h_max, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A=None,
-    r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None, gcr=None,
+    r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None, lag=None, gcr=None,
     cross_axis_tilt=None, rotation_min=None, rotation_max=None):
     """Pressure that the pump must give, without losses in the tube.
 
-    264 flops (164 mul, 93 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2
+    272 flops (171 mul, 94 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2
 
     Args:
         theta: turn of the trough about the axis; filling container 1 turns it on, rad
@@ -1112,8 +1252,9 @@ def pump_pressure(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_
         a_t: cross-section of the tube, m^2
         L_t: length of the tube, m
         m_t: mass of the water in the tube, kg
-        S_t_xi: first moment of the water in the tube along xi, m*kg
-        S_t_eta: first moment of the water in the tube along eta, m*kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
         I_t: second moment of the water in the tube about the axis, m^2*kg
         Gamma_t: twice the area that the tube sweeps about the axis on its way from container 2 to
             1: the integral of xi d(eta) - eta d(xi), m^2
@@ -1121,12 +1262,15 @@ def pump_pressure(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_
         g: acceleration of free fall, m/s^2
         mu: friction coefficient of the bearings
         r_f: diameter of the bearings, m
-        r_A, r_B, omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min,
+        r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min,
             rotation_max: accepted and not read
 
     Returns:
         pressure: pressure that the pump must give at the acceleration that friction leaves, Pa
         status -3 (UNREACHABLE): a container would overflow, or hold less than nothing
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
+        status -3 (UNREACHABLE): no body has so little inertia: it is below M l^2, or its kinetic
+            energy may be negative
         status -3 (UNREACHABLE): the bearings jam, or the trough has no inertia
         status 5 (LIMIT): a container is empty: its pump draws air
         status 3 (STICKING): friction holds the trough: the acceleration is 0
@@ -1242,8 +1386,8 @@ def pump_pressure(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_
     t48 = call.select(t7, (-1.0), 1.0)
     direction = call.select(stands, t47, t48)
     t49 = 1.0e-9 < inertia
-    weightless = xp.logical_not(t49)
-    t50 = call.select(weightless, 1.0, inertia)
+    inertialess = xp.logical_not(t49)
+    t50 = call.select(inertialess, 1.0, inertia)
     t51 = 1.0 / t50
     t52 = needed * t51
     f_x = arm * (F_held_x + (t52 * S_y))
@@ -1291,13 +1435,30 @@ def pump_pressure(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_
     t84 = xp.logical_not(t83)
     t85 = xp.logical_and(t82, t84)
     spilt = xp.logical_not(t85)
-    t86 = 0.0 < h_1
-    t87 = 0.0 < h_2
-    t88 = xp.logical_and(t86, t87)
-    dry = xp.logical_not(t88)
+    m_fit = (rho * a_t) * L_t
+    t86 = 0.001 * m_fit
+    t87 = m_t - m_fit
+    t88 = t86 < t87
+    t89 = xp.logical_not(t88)
+    t90 = t86 < (-t87)
+    t91 = xp.logical_not(t90)
+    t92 = xp.logical_and(t89, t91)
+    misfit = xp.logical_not(t92)
+    t93 = I_zz < (0.999 * (t30 * l))
+    t94 = xp.logical_not(t93)
+    t95 = (inertia * m_eff) < (t6 * t6)
+    t96 = xp.logical_not(t95)
+    t97 = xp.logical_and(t94, t96)
+    too_slight = xp.logical_not(t97)
+    t98 = 0.0 < h_1
+    t99 = 0.0 < h_2
+    t100 = xp.logical_and(t98, t99)
+    dry = xp.logical_not(t100)
     call.case(3, sticks)  # STICKING
     call.case(5, dry)  # LIMIT
     call.case(-3, spilt)  # UNREACHABLE
+    call.case(-3, misfit)  # UNREACHABLE
+    call.case(-3, too_slight)  # UNREACHABLE
     call.case(-3, jammed)  # UNREACHABLE
     return PumpPressureResult(
         pressure=call.array((), (pressure,)),
@@ -1312,13 +1473,13 @@ class RestAngleResult(NamedTuple):
     status: Any
 
 
-def rest_angle(*, s, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, m_t, S_t_xi,
-    S_t_eta, rho, I_zz=None, w=None, a_t=None, L_t=None, I_t=None, Gamma_t=None, g=None, mu=None,
-    r_f=None, r_A=None, r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None,
+def rest_angle(*, s, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t, m_t,
+    S_t_xi, S_t_eta, rho, I_zz=None, w=None, I_t=None, Gamma_t=None, g=None, mu=None, r_f=None,
+    r_A=None, r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None, lag=None,
     gcr=None, cross_axis_tilt=None, rotation_min=None, rotation_max=None):
     """Angle at which the trough rests without friction, in [-pi, pi].
 
-    36 flops (19 mul, 14 add, 2 div, 1 sqrt), 2 sin/cos, 1 atan2
+    40 flops (22 mul, 15 add, 2 div, 1 sqrt), 2 sin/cos, 1 atan2
 
     Args:
         s: volume moved from container 2 to 1, m^3
@@ -1334,16 +1495,20 @@ def rest_angle(*, s, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max,
         h_10: level in container 1 before any water is moved, m
         h_20: level in container 2 before any water is moved, m
         h_max: height of either container, m
+        a_t: cross-section of the tube, m^2
+        L_t: length of the tube, m
         m_t: mass of the water in the tube, kg
-        S_t_xi: first moment of the water in the tube along xi, m*kg
-        S_t_eta: first moment of the water in the tube along eta, m*kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
         rho: density of the water, kg/m^3
-        I_zz, w, a_t, L_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off,
-            gcr, cross_axis_tilt, rotation_min, rotation_max: accepted and not read
+        I_zz, w, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
+            cross_axis_tilt, rotation_min, rotation_max: accepted and not read
 
     Returns:
         theta: angle at which the trough rests without friction, in [-pi, pi], rad
         status -3 (UNREACHABLE): a container would overflow, or hold less than nothing
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
         status 5 (LIMIT): a container is empty: its pump draws air
         status 2 (SINGULAR): the mass centre lies on the axis, within 1e-6 m: any angle is a rest
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
@@ -1362,14 +1527,16 @@ def rest_angle(*, s, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max,
         ("h_10", h_10, 0.0, 10.0, 0.08125),
         ("h_20", h_20, 0.0, 10.0, 0.08125),
         ("h_max", h_max, 0.0, 10.0, 0.24375),
+        ("a_t", a_t, 1e-06, 1.0, 0.0006625),
+        ("L_t", L_t, 0.0, 100.0, 2.25),
         ("m_t", m_t, 0.0, 100000.0, 1.9125),
         ("S_t_xi", S_t_xi, -100000.0, 100000.0, 0.075),
         ("S_t_eta", S_t_eta, -100000.0, 100000.0, 0.075),
         ("rho", rho, 0.001, 20000.0, 1002.5),
     )
     xp = call.xp
-    (s, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, m_t, S_t_xi, S_t_eta,
-        rho) = call.values
+    (s, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t, m_t, S_t_xi,
+        S_t_eta, rho) = call.values
     m_all = (M + (rho * ((A_1 * h_10) + (A_2 * h_20)))) + m_t
     t1 = M * l
     cos_lam = xp.cos(lam)
@@ -1401,13 +1568,23 @@ def rest_angle(*, s, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max,
     t19 = xp.logical_not(t18)
     t20 = xp.logical_and(t17, t19)
     spilt = xp.logical_not(t20)
-    t21 = 0.0 < h_1
-    t22 = 0.0 < h_2
-    t23 = xp.logical_and(t21, t22)
-    dry = xp.logical_not(t23)
+    m_fit = (rho * a_t) * L_t
+    t21 = 0.001 * m_fit
+    t22 = m_t - m_fit
+    t23 = t21 < t22
+    t24 = xp.logical_not(t23)
+    t25 = t21 < (-t22)
+    t26 = xp.logical_not(t25)
+    t27 = xp.logical_and(t24, t26)
+    misfit = xp.logical_not(t27)
+    t28 = 0.0 < h_1
+    t29 = 0.0 < h_2
+    t30 = xp.logical_and(t28, t29)
+    dry = xp.logical_not(t30)
     call.case(2, indifferent)  # SINGULAR
     call.case(5, dry)  # LIMIT
     call.case(-3, spilt)  # UNREACHABLE
+    call.case(-3, misfit)  # UNREACHABLE
     return RestAngleResult(
         theta=call.array((), (theta_rest,)),
         status=call.status,
@@ -1423,13 +1600,13 @@ class RestResult(NamedTuple):
     status: Any
 
 
-def rest(*, s, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max, m_t, S_t_xi,
-    S_t_eta, I_t, rho, g, a_t=None, L_t=None, Gamma_t=None, mu=None, r_f=None, r_A=None, r_B=None,
-    omega_s=None, q_pump=None, band_on=None, band_off=None, gcr=None, cross_axis_tilt=None,
+def rest(*, s, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t, m_t,
+    S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu=None, r_f=None, r_A=None, r_B=None, omega_s=None,
+    q_pump=None, band_on=None, band_off=None, lag=None, gcr=None, cross_axis_tilt=None,
     rotation_min=None, rotation_max=None):
     """About the rest: stiffness, period of small swings, and turn per volume moved.
 
-    89 flops (52 mul, 31 add, 4 div, 2 sqrt), 2 sin/cos, 0 atan2
+    108 flops (65 mul, 36 add, 5 div, 2 sqrt), 2 sin/cos, 0 atan2
 
     Args:
         s: volume moved from container 2 to 1, m^3
@@ -1447,20 +1624,28 @@ def rest(*, s, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_m
         h_10: level in container 1 before any water is moved, m
         h_20: level in container 2 before any water is moved, m
         h_max: height of either container, m
+        a_t: cross-section of the tube, m^2
+        L_t: length of the tube, m
         m_t: mass of the water in the tube, kg
-        S_t_xi: first moment of the water in the tube along xi, m*kg
-        S_t_eta: first moment of the water in the tube along eta, m*kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
         I_t: second moment of the water in the tube about the axis, m^2*kg
+        Gamma_t: twice the area that the tube sweeps about the axis on its way from container 2 to
+            1: the integral of xi d(eta) - eta d(xi), m^2
         rho: density of the water, kg/m^3
         g: acceleration of free fall, m/s^2
-        a_t, L_t, Gamma_t, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, gcr,
-            cross_axis_tilt, rotation_min, rotation_max: accepted and not read
+        mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr, cross_axis_tilt,
+            rotation_min, rotation_max: accepted and not read
 
     Returns:
         stiffness: moment per angle that drives the trough back to rest, N*m
         period: period of small swings about the rest, 0 where nothing drives the trough back, s
         gain: turn of the rest angle per volume moved, 1/m^3
         status -3 (UNREACHABLE): a container would overflow, or hold less than nothing
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
+        status -3 (UNREACHABLE): no body has so little inertia: it is below M l^2, or its kinetic
+            energy may be negative
         status 5 (LIMIT): a container is empty: its pump draws air
         status 2 (SINGULAR): the mass centre lies on the axis, within 1e-6 m: any angle is a rest
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
@@ -1481,16 +1666,19 @@ def rest(*, s, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_m
         ("h_10", h_10, 0.0, 10.0, 0.08125),
         ("h_20", h_20, 0.0, 10.0, 0.08125),
         ("h_max", h_max, 0.0, 10.0, 0.24375),
+        ("a_t", a_t, 1e-06, 1.0, 0.0006625),
+        ("L_t", L_t, 0.0, 100.0, 2.25),
         ("m_t", m_t, 0.0, 100000.0, 1.9125),
         ("S_t_xi", S_t_xi, -100000.0, 100000.0, 0.075),
         ("S_t_eta", S_t_eta, -100000.0, 100000.0, 0.075),
         ("I_t", I_t, 0.0, 1000000.0, 1.25),
+        ("Gamma_t", Gamma_t, -10000.0, 10000.0, 0.125),
         ("rho", rho, 0.001, 20000.0, 1002.5),
         ("g", g, 0.0, 1000.0, 6.25),
     )
     xp = call.xp
-    (s, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max, m_t, S_t_xi, S_t_eta,
-        I_t, rho, g) = call.values
+    (s, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t, m_t,
+        S_t_xi, S_t_eta, I_t, Gamma_t, rho, g) = call.values
     t1 = M * l
     cos_lam = xp.cos(lam)
     t2 = rho * A_1
@@ -1545,13 +1733,34 @@ def rest(*, s, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_m
     t39 = xp.logical_not(t38)
     t40 = xp.logical_and(t37, t39)
     spilt = xp.logical_not(t40)
-    t41 = 0.0 < h_1
-    t42 = 0.0 < h_2
-    t43 = xp.logical_and(t41, t42)
-    dry = xp.logical_not(t43)
+    m_fit = (rho * a_t) * L_t
+    t41 = 0.001 * m_fit
+    t42 = m_t - m_fit
+    t43 = t41 < t42
+    t44 = xp.logical_not(t43)
+    t45 = t41 < (-t42)
+    t46 = xp.logical_not(t45)
+    t47 = xp.logical_and(t44, t46)
+    misfit = xp.logical_not(t47)
+    t48 = I_zz < (0.999 * (t1 * l))
+    t49 = xp.logical_not(t48)
+    t50 = L_t / a_t
+    m_eff = rho * (((h_1 * t3) + (h_2 * t5)) + t50)
+    Gamma = ((x_1 * h_1) - (x_2 * h_2)) + Gamma_t
+    t51 = rho * Gamma
+    t52 = (inertia * m_eff) < (t51 * t51)
+    t53 = xp.logical_not(t52)
+    t54 = xp.logical_and(t49, t53)
+    too_slight = xp.logical_not(t54)
+    t55 = 0.0 < h_1
+    t56 = 0.0 < h_2
+    t57 = xp.logical_and(t55, t56)
+    dry = xp.logical_not(t57)
     call.case(2, indifferent)  # SINGULAR
     call.case(5, dry)  # LIMIT
     call.case(-3, spilt)  # UNREACHABLE
+    call.case(-3, misfit)  # UNREACHABLE
+    call.case(-3, too_slight)  # UNREACHABLE
     return RestResult(
         stiffness=call.array((), (stiffness,)),
         period=call.array((), (period,)),
@@ -1569,14 +1778,14 @@ class LinearResult(NamedTuple):
     status: Any
 
 
-def linear(*, s, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max, m_t, S_t_xi,
-    S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, a_t=None, L_t=None, r_A=None, r_B=None, omega_s=None,
-    q_pump=None, band_on=None, band_off=None, gcr=None, cross_axis_tilt=None, rotation_min=None,
-    rotation_max=None):
+def linear(*, s, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t,
+    m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A=None, r_B=None, omega_s=None,
+    q_pump=None, band_on=None, band_off=None, lag=None, gcr=None, cross_axis_tilt=None,
+    rotation_min=None, rotation_max=None):
     """About the rest, without friction: the deviation accelerates by -swing times itself, pull
     times the volume moved since, and -kick times the rate of the flow.
 
-    102 flops (63 mul, 34 add, 4 div, 1 sqrt), 2 sin/cos, 0 atan2
+    116 flops (73 mul, 37 add, 5 div, 1 sqrt), 2 sin/cos, 0 atan2
 
     Args:
         s: volume moved from container 2 to 1, m^3
@@ -1594,9 +1803,12 @@ def linear(*, s, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h
         h_10: level in container 1 before any water is moved, m
         h_20: level in container 2 before any water is moved, m
         h_max: height of either container, m
+        a_t: cross-section of the tube, m^2
+        L_t: length of the tube, m
         m_t: mass of the water in the tube, kg
-        S_t_xi: first moment of the water in the tube along xi, m*kg
-        S_t_eta: first moment of the water in the tube along eta, m*kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
         I_t: second moment of the water in the tube about the axis, m^2*kg
         Gamma_t: twice the area that the tube sweeps about the axis on its way from container 2 to
             1: the integral of xi d(eta) - eta d(xi), m^2
@@ -1604,14 +1816,17 @@ def linear(*, s, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h
         g: acceleration of free fall, m/s^2
         mu: friction coefficient of the bearings
         r_f: diameter of the bearings, m
-        a_t, L_t, r_A, r_B, omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt,
-            rotation_min, rotation_max: accepted and not read
+        r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min,
+            rotation_max: accepted and not read
 
     Returns:
         swing: square of the angular frequency of small swings, 1/s^2
         pull: angular acceleration per volume moved, 1/m^3/s^2
         kick: angular velocity that the trough loses per flow that the pump starts, 1/m^3
         status -3 (UNREACHABLE): a container would overflow, or hold less than nothing
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
+        status -3 (UNREACHABLE): no body has so little inertia: it is below M l^2, or its kinetic
+            energy may be negative
         status -3 (UNREACHABLE): the bearings jam, or the trough has no inertia
         status 5 (LIMIT): a container is empty: its pump draws air
         status 2 (SINGULAR): the mass centre lies on the axis, within 1e-6 m: any angle is a rest
@@ -1633,6 +1848,8 @@ def linear(*, s, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h
         ("h_10", h_10, 0.0, 10.0, 0.08125),
         ("h_20", h_20, 0.0, 10.0, 0.08125),
         ("h_max", h_max, 0.0, 10.0, 0.24375),
+        ("a_t", a_t, 1e-06, 1.0, 0.0006625),
+        ("L_t", L_t, 0.0, 100.0, 2.25),
         ("m_t", m_t, 0.0, 100000.0, 1.9125),
         ("S_t_xi", S_t_xi, -100000.0, 100000.0, 0.075),
         ("S_t_eta", S_t_eta, -100000.0, 100000.0, 0.075),
@@ -1644,8 +1861,8 @@ def linear(*, s, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h
         ("r_f", r_f, 0.0, 100.0, 0.04125),
     )
     xp = call.xp
-    (s, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max, m_t, S_t_xi, S_t_eta,
-        I_t, Gamma_t, rho, g, mu, r_f) = call.values
+    (s, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t, m_t,
+        S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f) = call.values
     t1 = rho * A_1
     t2 = 1.0 / A_1
     h_1 = h_10 + (s * t2)
@@ -1659,7 +1876,7 @@ def linear(*, s, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h
     t7 = ((((x_2 * x_2) + t3) + (y_2 * y_2)) + (y_2 * h_2)) + (0.3333333333333333 * (h_2 * h_2))
     inertia = ((I_zz + (m_1 * t4)) + (m_2 * t7)) + I_t
     t8 = 1.0e-9 < inertia
-    weightless = xp.logical_not(t8)
+    inertialess = xp.logical_not(t8)
     t9 = M * l
     cos_lam = xp.cos(lam)
     S_x = (((t9 * cos_lam) + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi
@@ -1669,9 +1886,9 @@ def linear(*, s, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h
     S_y = (((t9 * sin_lam) + (m_1 * t10)) + (m_2 * t11)) + S_t_eta
     reach = xp.sqrt((S_x * S_x) + (S_y * S_y))
     stiffness = g * reach
-    t12 = call.select(weightless, 1.0, inertia)
+    t12 = call.select(inertialess, 1.0, inertia)
     t13 = 1.0 / t12
-    swing = call.select(weightless, 0.0, (stiffness * t13))
+    swing = call.select(inertialess, 0.0, (stiffness * t13))
     m_all = (M + (rho * ((A_1 * h_10) + (A_2 * h_20)))) + m_t
     t14 = (1.0e-6 * m_all) < reach
     indifferent = xp.logical_not(t14)
@@ -1685,33 +1902,53 @@ def linear(*, s, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h
     gain = call.select(indifferent, 0.0, t21)
     pull = swing * gain
     Gamma = ((x_1 * h_1) - (x_2 * h_2)) + Gamma_t
-    kick = call.select(weightless, 0.0, ((rho * Gamma) * t13))
-    t22 = h_1 < 0.0
-    t23 = xp.logical_not(t22)
-    t24 = h_2 < 0.0
-    t25 = xp.logical_not(t24)
-    t26 = xp.logical_and(t23, t25)
-    t27 = h_max < h_1
-    t28 = xp.logical_not(t27)
-    t29 = xp.logical_and(t26, t28)
-    t30 = h_max < h_2
-    t31 = xp.logical_not(t30)
-    t32 = xp.logical_and(t29, t31)
-    spilt = xp.logical_not(t32)
+    t22 = rho * Gamma
+    kick = call.select(inertialess, 0.0, (t22 * t13))
+    t23 = h_1 < 0.0
+    t24 = xp.logical_not(t23)
+    t25 = h_2 < 0.0
+    t26 = xp.logical_not(t25)
+    t27 = xp.logical_and(t24, t26)
+    t28 = h_max < h_1
+    t29 = xp.logical_not(t28)
+    t30 = xp.logical_and(t27, t29)
+    t31 = h_max < h_2
+    t32 = xp.logical_not(t31)
+    t33 = xp.logical_and(t30, t32)
+    spilt = xp.logical_not(t33)
+    m_fit = (rho * a_t) * L_t
+    t34 = 0.001 * m_fit
+    t35 = m_t - m_fit
+    t36 = t34 < t35
+    t37 = xp.logical_not(t36)
+    t38 = t34 < (-t35)
+    t39 = xp.logical_not(t38)
+    t40 = xp.logical_and(t37, t39)
+    misfit = xp.logical_not(t40)
+    t41 = I_zz < (0.999 * (t9 * l))
+    t42 = xp.logical_not(t41)
+    t43 = L_t / a_t
+    m_eff = rho * (((h_1 * t2) + (h_2 * t6)) + t43)
+    t44 = (inertia * m_eff) < (t22 * t22)
+    t45 = xp.logical_not(t44)
+    t46 = xp.logical_and(t42, t45)
+    too_slight = xp.logical_not(t46)
     arm = 0.5 * (mu * r_f)
-    t33 = arm * t13
-    t34 = t33 * S_y
-    self_lever_y = t33 * S_x
-    t35 = ((t34 * t34) + (self_lever_y * self_lever_y)) < 0.999
-    t36 = xp.logical_and(t8, t35)
-    jammed = xp.logical_not(t36)
-    t37 = 0.0 < h_1
-    t38 = 0.0 < h_2
-    t39 = xp.logical_and(t37, t38)
-    dry = xp.logical_not(t39)
+    t47 = arm * t13
+    t48 = t47 * S_y
+    self_lever_y = t47 * S_x
+    t49 = ((t48 * t48) + (self_lever_y * self_lever_y)) < 0.999
+    t50 = xp.logical_and(t8, t49)
+    jammed = xp.logical_not(t50)
+    t51 = 0.0 < h_1
+    t52 = 0.0 < h_2
+    t53 = xp.logical_and(t51, t52)
+    dry = xp.logical_not(t53)
     call.case(2, indifferent)  # SINGULAR
     call.case(5, dry)  # LIMIT
     call.case(-3, spilt)  # UNREACHABLE
+    call.case(-3, misfit)  # UNREACHABLE
+    call.case(-3, too_slight)  # UNREACHABLE
     call.case(-3, jammed)  # UNREACHABLE
     return LinearResult(
         swing=call.array((), (swing,)),
@@ -1728,13 +1965,13 @@ class StickBandResult(NamedTuple):
     status: Any
 
 
-def stick_band(*, s, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, m_t, S_t_xi,
-    S_t_eta, rho, g, mu, r_f, I_zz=None, w=None, a_t=None, L_t=None, I_t=None, Gamma_t=None,
-    r_A=None, r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None, gcr=None,
+def stick_band(*, s, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t, m_t,
+    S_t_xi, S_t_eta, rho, g, mu, r_f, I_zz=None, w=None, I_t=None, Gamma_t=None, r_A=None,
+    r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None, lag=None, gcr=None,
     cross_axis_tilt=None, rotation_min=None, rotation_max=None):
     """Half of the range of angles about the rest where friction holds the trough.
 
-    44 flops (23 mul, 16 add, 3 div, 2 sqrt), 2 sin/cos, 1 atan2
+    48 flops (26 mul, 17 add, 3 div, 2 sqrt), 2 sin/cos, 1 atan2
 
     Args:
         s: volume moved from container 2 to 1, m^3
@@ -1750,20 +1987,24 @@ def stick_band(*, s, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max,
         h_10: level in container 1 before any water is moved, m
         h_20: level in container 2 before any water is moved, m
         h_max: height of either container, m
+        a_t: cross-section of the tube, m^2
+        L_t: length of the tube, m
         m_t: mass of the water in the tube, kg
-        S_t_xi: first moment of the water in the tube along xi, m*kg
-        S_t_eta: first moment of the water in the tube along eta, m*kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
         rho: density of the water, kg/m^3
         g: acceleration of free fall, m/s^2
         mu: friction coefficient of the bearings
         r_f: diameter of the bearings, m
-        I_zz, w, a_t, L_t, I_t, Gamma_t, r_A, r_B, omega_s, q_pump, band_on, band_off, gcr,
+        I_zz, w, I_t, Gamma_t, r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
             cross_axis_tilt, rotation_min, rotation_max: accepted and not read
 
     Returns:
         half_width: half of the range of angles about the rest where friction holds the trough,
             rad
         status -3 (UNREACHABLE): a container would overflow, or hold less than nothing
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
         status 5 (LIMIT): a container is empty: its pump draws air
         status 1 (CLAMPED): friction holds the trough at every angle
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
@@ -1782,6 +2023,8 @@ def stick_band(*, s, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max,
         ("h_10", h_10, 0.0, 10.0, 0.08125),
         ("h_20", h_20, 0.0, 10.0, 0.08125),
         ("h_max", h_max, 0.0, 10.0, 0.24375),
+        ("a_t", a_t, 1e-06, 1.0, 0.0006625),
+        ("L_t", L_t, 0.0, 100.0, 2.25),
         ("m_t", m_t, 0.0, 100000.0, 1.9125),
         ("S_t_xi", S_t_xi, -100000.0, 100000.0, 0.075),
         ("S_t_eta", S_t_eta, -100000.0, 100000.0, 0.075),
@@ -1791,8 +2034,8 @@ def stick_band(*, s, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max,
         ("r_f", r_f, 0.0, 100.0, 0.04125),
     )
     xp = call.xp
-    (s, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, m_t, S_t_xi, S_t_eta, rho, g,
-        mu, r_f) = call.values
+    (s, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t, m_t, S_t_xi,
+        S_t_eta, rho, g, mu, r_f) = call.values
     m_all = (M + (rho * ((A_1 * h_10) + (A_2 * h_20)))) + m_t
     t1 = M * l
     cos_lam = xp.cos(lam)
@@ -1815,13 +2058,13 @@ def stick_band(*, s, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max,
     t10 = arm * m_all
     t11 = t10 < reach
     t12 = xp.logical_and(t9, t11)
-    loose = xp.logical_not(t12)
+    held_everywhere = xp.logical_not(t12)
     t13 = call.select(indifferent, 1.0, reach)
     t14 = t10 / t13
-    t15 = call.select(loose, 0.0, t14)
+    t15 = call.select(held_everywhere, 0.0, t14)
     t16 = xp.sqrt((1.0 - t15) * (1.0 + t15))
     t17 = xp.atan2(t15, t16)
-    half_width = call.select(loose, 3.141592653589793, t17)
+    half_width = call.select(held_everywhere, 3.141592653589793, t17)
     t18 = h_1 < 0.0
     t19 = xp.logical_not(t18)
     t20 = h_2 < 0.0
@@ -1834,13 +2077,23 @@ def stick_band(*, s, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max,
     t27 = xp.logical_not(t26)
     t28 = xp.logical_and(t25, t27)
     spilt = xp.logical_not(t28)
-    t29 = 0.0 < h_1
-    t30 = 0.0 < h_2
-    t31 = xp.logical_and(t29, t30)
-    dry = xp.logical_not(t31)
-    call.case(1, loose)  # CLAMPED
+    m_fit = (rho * a_t) * L_t
+    t29 = 0.001 * m_fit
+    t30 = m_t - m_fit
+    t31 = t29 < t30
+    t32 = xp.logical_not(t31)
+    t33 = t29 < (-t30)
+    t34 = xp.logical_not(t33)
+    t35 = xp.logical_and(t32, t34)
+    misfit = xp.logical_not(t35)
+    t36 = 0.0 < h_1
+    t37 = 0.0 < h_2
+    t38 = xp.logical_and(t36, t37)
+    dry = xp.logical_not(t38)
+    call.case(1, held_everywhere)  # CLAMPED
     call.case(5, dry)  # LIMIT
     call.case(-3, spilt)  # UNREACHABLE
+    call.case(-3, misfit)  # UNREACHABLE
     return StickBandResult(
         half_width=call.array((), (half_width,)),
         status=call.status,
@@ -1854,13 +2107,13 @@ class FollowResult(NamedTuple):
     status: Any
 
 
-def follow(*, s, theta_dot_ref, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, m_t,
-    S_t_xi, S_t_eta, rho, I_zz=None, w=None, a_t=None, L_t=None, I_t=None, Gamma_t=None, g=None,
-    mu=None, r_f=None, r_A=None, r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None,
-    gcr=None, cross_axis_tilt=None, rotation_min=None, rotation_max=None):
+def follow(*, s, theta_dot_ref, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t,
+    L_t, m_t, S_t_xi, S_t_eta, rho, I_zz=None, w=None, I_t=None, Gamma_t=None, g=None, mu=None,
+    r_f=None, r_A=None, r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None,
+    lag=None, gcr=None, cross_axis_tilt=None, rotation_min=None, rotation_max=None):
     """Flow at which the rest turns at a rate.
 
-    60 flops (35 mul, 20 add, 4 div, 1 sqrt), 2 sin/cos, 0 atan2
+    64 flops (38 mul, 21 add, 4 div, 1 sqrt), 2 sin/cos, 0 atan2
 
     Args:
         s: volume moved from container 2 to 1, m^3
@@ -1877,16 +2130,20 @@ def follow(*, s, theta_dot_ref, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h
         h_10: level in container 1 before any water is moved, m
         h_20: level in container 2 before any water is moved, m
         h_max: height of either container, m
+        a_t: cross-section of the tube, m^2
+        L_t: length of the tube, m
         m_t: mass of the water in the tube, kg
-        S_t_xi: first moment of the water in the tube along xi, m*kg
-        S_t_eta: first moment of the water in the tube along eta, m*kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
         rho: density of the water, kg/m^3
-        I_zz, w, a_t, L_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off,
-            gcr, cross_axis_tilt, rotation_min, rotation_max: accepted and not read
+        I_zz, w, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
+            cross_axis_tilt, rotation_min, rotation_max: accepted and not read
 
     Returns:
         q: flow at which the rest turns at the rate wanted, m^3/s
         status -3 (UNREACHABLE): a container would overflow, or hold less than nothing
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
         status 5 (LIMIT): a container is empty: its pump draws air
         status 2 (SINGULAR): the mass centre lies on the axis, within 1e-6 m: any angle is a rest
         status 2 (SINGULAR): moving water turns nothing
@@ -1907,14 +2164,16 @@ def follow(*, s, theta_dot_ref, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h
         ("h_10", h_10, 0.0, 10.0, 0.08125),
         ("h_20", h_20, 0.0, 10.0, 0.08125),
         ("h_max", h_max, 0.0, 10.0, 0.24375),
+        ("a_t", a_t, 1e-06, 1.0, 0.0006625),
+        ("L_t", L_t, 0.0, 100.0, 2.25),
         ("m_t", m_t, 0.0, 100000.0, 1.9125),
         ("S_t_xi", S_t_xi, -100000.0, 100000.0, 0.075),
         ("S_t_eta", S_t_eta, -100000.0, 100000.0, 0.075),
         ("rho", rho, 0.001, 20000.0, 1002.5),
     )
     xp = call.xp
-    (s, theta_dot_ref, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, m_t, S_t_xi,
-        S_t_eta, rho) = call.values
+    (s, theta_dot_ref, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t, m_t,
+        S_t_xi, S_t_eta, rho) = call.values
     m_all = (M + (rho * ((A_1 * h_10) + (A_2 * h_20)))) + m_t
     t1 = M * l
     cos_lam = xp.cos(lam)
@@ -1959,14 +2218,24 @@ def follow(*, s, theta_dot_ref, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h
     t30 = xp.logical_not(t29)
     t31 = xp.logical_and(t28, t30)
     spilt = xp.logical_not(t31)
-    t32 = 0.0 < h_1
-    t33 = 0.0 < h_2
-    t34 = xp.logical_and(t32, t33)
-    dry = xp.logical_not(t34)
+    m_fit = (rho * a_t) * L_t
+    t32 = 0.001 * m_fit
+    t33 = m_t - m_fit
+    t34 = t32 < t33
+    t35 = xp.logical_not(t34)
+    t36 = t32 < (-t33)
+    t37 = xp.logical_not(t36)
+    t38 = xp.logical_and(t35, t37)
+    misfit = xp.logical_not(t38)
+    t39 = 0.0 < h_1
+    t40 = 0.0 < h_2
+    t41 = xp.logical_and(t39, t40)
+    dry = xp.logical_not(t41)
     call.case(2, indifferent)  # SINGULAR
     call.case(2, level_gain)  # SINGULAR
     call.case(5, dry)  # LIMIT
     call.case(-3, spilt)  # UNREACHABLE
+    call.case(-3, misfit)  # UNREACHABLE
     return FollowResult(
         q=call.array((), (q_follow,)),
         status=call.status,
@@ -1980,13 +2249,13 @@ class RestVolumeResult(NamedTuple):
     status: Any
 
 
-def rest_volume(*, theta, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, S_t_xi,
-    S_t_eta, rho, I_zz=None, w=None, a_t=None, L_t=None, m_t=None, I_t=None, Gamma_t=None, g=None,
-    mu=None, r_f=None, r_A=None, r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None,
-    gcr=None, cross_axis_tilt=None, rotation_min=None, rotation_max=None):
+def rest_volume(*, theta, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t,
+    m_t, S_t_xi, S_t_eta, rho, I_zz=None, w=None, I_t=None, Gamma_t=None, g=None, mu=None,
+    r_f=None, r_A=None, r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None,
+    lag=None, gcr=None, cross_axis_tilt=None, rotation_min=None, rotation_max=None):
     """Volume at which the trough rests at an angle.
 
-    82 flops (48 mul, 30 add, 3 div, 1 sqrt), 4 sin/cos, 0 atan2
+    135 flops (77 mul, 53 add, 4 div, 1 sqrt), 4 sin/cos, 0 atan2
 
     Args:
         theta: turn of the trough about the axis; filling container 1 turns it on, rad
@@ -2002,14 +2271,19 @@ def rest_volume(*, theta, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h
         h_10: level in container 1 before any water is moved, m
         h_20: level in container 2 before any water is moved, m
         h_max: height of either container, m
-        S_t_xi: first moment of the water in the tube along xi, m*kg
-        S_t_eta: first moment of the water in the tube along eta, m*kg
+        a_t: cross-section of the tube, m^2
+        L_t: length of the tube, m
+        m_t: mass of the water in the tube, kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
         rho: density of the water, kg/m^3
-        I_zz, w, a_t, L_t, m_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s, q_pump, band_on,
-            band_off, gcr, cross_axis_tilt, rotation_min, rotation_max: accepted and not read
+        I_zz, w, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
+            cross_axis_tilt, rotation_min, rotation_max: accepted and not read
 
     Returns:
         s: volume at which the trough rests at this angle without friction, m^3
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
         status -3 (UNREACHABLE): no volume makes the trough rest at this angle
         status -3 (UNREACHABLE): the rest at this angle does not last
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
@@ -2028,13 +2302,16 @@ def rest_volume(*, theta, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h
         ("h_10", h_10, 0.0, 10.0, 0.08125),
         ("h_20", h_20, 0.0, 10.0, 0.08125),
         ("h_max", h_max, 0.0, 10.0, 0.24375),
+        ("a_t", a_t, 1e-06, 1.0, 0.0006625),
+        ("L_t", L_t, 0.0, 100.0, 2.25),
+        ("m_t", m_t, 0.0, 100000.0, 1.9125),
         ("S_t_xi", S_t_xi, -100000.0, 100000.0, 0.075),
         ("S_t_eta", S_t_eta, -100000.0, 100000.0, 0.075),
         ("rho", rho, 0.001, 20000.0, 1002.5),
     )
     xp = call.xp
-    (theta, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, S_t_xi, S_t_eta,
-        rho) = call.values
+    (theta, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t, m_t, S_t_xi,
+        S_t_eta, rho) = call.values
     t1 = rho * A_1
     t2 = 1.0 / A_1
     t3 = t1 * t2
@@ -2053,53 +2330,136 @@ def rest_volume(*, theta, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h
     slope = (((t3 * x_1) - (t6 * x_2)) * cos_theta) - (t11 * sin_theta)
     t12 = t3 * t8
     t13 = t6 * t10
-    t14 = M * l
+    t14 = (0.5 * ((t12 + t12) + (t13 + t13))) * sin_theta
+    t15 = M * l
     cos_lam = xp.cos(lam)
-    t15 = t14 * cos_lam
+    t16 = t15 * cos_lam
     sin_lam = xp.sin(lam)
-    t16 = t14 * sin_lam
-    level = (
-        ((((t15 + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi) * cos_theta) - ((((t16 + (m_1 * t7)) +
+    t17 = t15 * sin_lam
+    unmoved = (
+        ((((t16 + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi) * cos_theta) - ((((t17 + (m_1 * t7)) +
         (m_2 * t9)) + S_t_eta) * sin_theta)
     )
-    t17 = (4.0 * ((0.5 * ((t12 + t12) + (t13 + t13))) * sin_theta)) * level
-    t18 = (slope * slope) + t17
+    t18 = (slope * slope) + ((4.0 * t14) * unmoved)
     t19 = t18 < 0.0
     t20 = xp.logical_not(t19)
-    t21 = xp.abs(level) < (1000.0 * xp.abs(slope))
-    t22 = xp.logical_and(t20, t21)
-    t23 = xp.logical_not(t22)
-    t24 = slope < 0.0
-    t25 = call.select(t23, 1.0, t18)
-    t26 = xp.sqrt(t25)
-    t27 = call.select(t24, (-t26), t26)
-    t28 = call.select(t23, 1.0, (slope + t27))
-    t29 = (2.0 * level) / t28
-    s_rest = call.select(t23, 0.0, (-t29))
-    h_1 = h_10 + (s_rest * t2)
-    t30 = h_1 < 0.0
-    t31 = xp.logical_not(t30)
-    h_2 = h_20 - (s_rest * t5)
-    t32 = h_2 < 0.0
-    t33 = xp.logical_not(t32)
-    t34 = xp.logical_and(t31, t33)
-    t35 = h_max < h_1
+    t21 = 2.0 * unmoved
+    t22 = slope < 0.0
+    t23 = call.select(t20, t18, 1.0)
+    t24 = xp.sqrt(t23)
+    t25 = call.select(t22, (-t24), t24)
+    t26 = slope + t25
+    t27 = xp.abs(t26)
+    t28 = xp.abs(t21) < (1000.0 * t27)
+    t29 = xp.logical_and(t20, t28)
+    t30 = call.select(t29, t26, 1.0)
+    t31 = t21 / t30
+    t32 = call.select(t29, (-t31), 0.0)
+    h_1 = h_10 + (t32 * t2)
+    t33 = h_1 < 0.0
+    t34 = xp.logical_not(t33)
+    h_2 = h_20 - (t32 * t5)
+    t35 = h_2 < 0.0
     t36 = xp.logical_not(t35)
     t37 = xp.logical_and(t34, t36)
-    t38 = h_max < h_2
+    t38 = h_max < h_1
     t39 = xp.logical_not(t38)
     t40 = xp.logical_and(t37, t39)
-    t41 = xp.logical_and(t22, t40)
-    no_s_rest = xp.logical_not(t41)
+    t41 = h_max < h_2
+    t42 = xp.logical_not(t41)
+    t43 = xp.logical_and(t40, t42)
+    t44 = xp.logical_and(t29, t43)
     m_1_value = t1 * h_1
     m_2_value = t4 * h_2
-    t42 = (t16 + (m_1_value * (y_1 + (0.5 * h_1)))) + (m_2_value * (y_2 + (0.5 * h_2)))
-    t43 = (
-        ((((t15 + (m_1_value * x_1)) + (m_2_value * x_2)) + S_t_xi) * sin_theta) + ((t42 +
+    t45 = (t17 + (m_1_value * (y_1 + (0.5 * h_1)))) + (m_2_value * (y_2 + (0.5 * h_2)))
+    t46 = (
+        ((((t16 + (m_1_value * x_1)) + (m_2_value * x_2)) + S_t_xi) * sin_theta) + ((t45 +
         S_t_eta) * cos_theta)
     )
-    t44 = t43 < 0.0
-    tops = xp.logical_not(t44)
+    t47 = t46 < 0.0
+    t48 = xp.logical_and(t44, t47)
+    t49 = xp.logical_not(t48)
+    t50 = 2.0 * t14
+    t51 = t27 < (1000.0 * xp.abs(t50))
+    t52 = xp.logical_and(t20, t51)
+    t53 = call.select(t52, (-t50), 1.0)
+    t54 = t26 / t53
+    t55 = call.select(t52, (-t54), 0.0)
+    h_1_value = h_10 + (t55 * t2)
+    t56 = h_1_value < 0.0
+    t57 = xp.logical_not(t56)
+    h_2_value = h_20 - (t55 * t5)
+    t58 = h_2_value < 0.0
+    t59 = xp.logical_not(t58)
+    t60 = xp.logical_and(t57, t59)
+    t61 = h_max < h_1_value
+    t62 = xp.logical_not(t61)
+    t63 = xp.logical_and(t60, t62)
+    t64 = h_max < h_2_value
+    t65 = xp.logical_not(t64)
+    t66 = xp.logical_and(t63, t65)
+    t67 = xp.logical_and(t52, t66)
+    m_1_value2 = t1 * h_1_value
+    m_2_value2 = t4 * h_2_value
+    t68 = (
+        (t17 + (m_1_value2 * (y_1 + (0.5 * h_1_value)))) + (m_2_value2 * (y_2 + (0.5 *
+        h_2_value)))
+    )
+    t69 = (
+        ((((t16 + (m_1_value2 * x_1)) + (m_2_value2 * x_2)) + S_t_xi) * sin_theta) + ((t68 +
+        S_t_eta) * cos_theta)
+    )
+    t70 = t69 < 0.0
+    t71 = xp.logical_and(t67, t70)
+    t72 = xp.logical_not(t71)
+    t73 = xp.logical_and(t72, t44)
+    t74 = xp.logical_not(t73)
+    t75 = xp.logical_and(t49, t74)
+    s_rest = call.select(t75, t55, t32)
+    m_fit = (rho * a_t) * L_t
+    t76 = 0.001 * m_fit
+    t77 = m_t - m_fit
+    t78 = t76 < t77
+    t79 = xp.logical_not(t78)
+    t80 = t76 < (-t77)
+    t81 = xp.logical_not(t80)
+    t82 = xp.logical_and(t79, t81)
+    misfit = xp.logical_not(t82)
+    t83 = xp.logical_and(t75, t52)
+    t84 = xp.logical_not(t83)
+    t85 = xp.logical_not(t75)
+    t86 = xp.logical_and(t85, t29)
+    t87 = xp.logical_not(t86)
+    t88 = xp.logical_and(t84, t87)
+    t89 = xp.logical_not(t88)
+    h_1_value2 = h_10 + (s_rest * t2)
+    t90 = h_1_value2 < 0.0
+    t91 = xp.logical_not(t90)
+    h_2_value2 = h_20 - (s_rest * t5)
+    t92 = h_2_value2 < 0.0
+    t93 = xp.logical_not(t92)
+    t94 = xp.logical_and(t91, t93)
+    t95 = h_max < h_1_value2
+    t96 = xp.logical_not(t95)
+    t97 = xp.logical_and(t94, t96)
+    t98 = h_max < h_2_value2
+    t99 = xp.logical_not(t98)
+    t100 = xp.logical_and(t97, t99)
+    t101 = xp.logical_and(t89, t100)
+    no_s_rest = xp.logical_not(t101)
+    m_1_value3 = t1 * h_1_value2
+    m_2_value3 = t4 * h_2_value2
+    t102 = (
+        (t17 + (m_1_value3 * (y_1 + (0.5 * h_1_value2)))) + (m_2_value3 * (y_2 + (0.5 *
+        h_2_value2)))
+    )
+    t103 = (
+        ((((t16 + (m_1_value3 * x_1)) + (m_2_value3 * x_2)) + S_t_xi) * sin_theta) + ((t102 +
+        S_t_eta) * cos_theta)
+    )
+    t104 = t103 < 0.0
+    tops = xp.logical_not(t104)
+    call.case(-3, misfit)  # UNREACHABLE
     call.case(-3, no_s_rest)  # UNREACHABLE
     call.case(-3, tops)  # UNREACHABLE
     return RestVolumeResult(
@@ -2117,14 +2477,14 @@ class StickVolumesResult(NamedTuple):
     status: Any
 
 
-def stick_volumes(*, theta, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, m_t,
-    S_t_xi, S_t_eta, rho, mu, r_f, I_zz=None, w=None, a_t=None, L_t=None, I_t=None, Gamma_t=None,
-    g=None, r_A=None, r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None, gcr=None,
-    cross_axis_tilt=None, rotation_min=None, rotation_max=None):
+def stick_volumes(*, theta, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t,
+    m_t, S_t_xi, S_t_eta, rho, mu, r_f, I_zz=None, w=None, I_t=None, Gamma_t=None, g=None,
+    r_A=None, r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None, lag=None,
+    gcr=None, cross_axis_tilt=None, rotation_min=None, rotation_max=None):
     """Volumes at which the trough breaks away from an angle in either sense, and the water to be
     moved between them.
 
-    85 flops (48 mul, 31 add, 4 div, 2 sqrt), 4 sin/cos, 0 atan2
+    148 flops (81 mul, 56 add, 8 div, 3 sqrt), 4 sin/cos, 0 atan2
 
     Args:
         theta: turn of the trough about the axis; filling container 1 turns it on, rad
@@ -2140,19 +2500,23 @@ def stick_volumes(*, theta, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20,
         h_10: level in container 1 before any water is moved, m
         h_20: level in container 2 before any water is moved, m
         h_max: height of either container, m
+        a_t: cross-section of the tube, m^2
+        L_t: length of the tube, m
         m_t: mass of the water in the tube, kg
-        S_t_xi: first moment of the water in the tube along xi, m*kg
-        S_t_eta: first moment of the water in the tube along eta, m*kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
         rho: density of the water, kg/m^3
         mu: friction coefficient of the bearings
         r_f: diameter of the bearings, m
-        I_zz, w, a_t, L_t, I_t, Gamma_t, g, r_A, r_B, omega_s, q_pump, band_on, band_off, gcr,
+        I_zz, w, I_t, Gamma_t, g, r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
             cross_axis_tilt, rotation_min, rotation_max: accepted and not read
 
     Returns:
         s_on: volume at which the trough breaks away towards positive angles, m^3
         s_back: volume at which it breaks away towards negative angles, m^3
         reversal: volume to be moved before the trough reverses, m^3
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
         status -3 (UNREACHABLE): no volume turns the trough on from this angle
         status -3 (UNREACHABLE): no volume turns it back
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
@@ -2171,6 +2535,8 @@ def stick_volumes(*, theta, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20,
         ("h_10", h_10, 0.0, 10.0, 0.08125),
         ("h_20", h_20, 0.0, 10.0, 0.08125),
         ("h_max", h_max, 0.0, 10.0, 0.24375),
+        ("a_t", a_t, 1e-06, 1.0, 0.0006625),
+        ("L_t", L_t, 0.0, 100.0, 2.25),
         ("m_t", m_t, 0.0, 100000.0, 1.9125),
         ("S_t_xi", S_t_xi, -100000.0, 100000.0, 0.075),
         ("S_t_eta", S_t_eta, -100000.0, 100000.0, 0.075),
@@ -2179,8 +2545,8 @@ def stick_volumes(*, theta, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20,
         ("r_f", r_f, 0.0, 100.0, 0.04125),
     )
     xp = call.xp
-    (theta, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, m_t, S_t_xi, S_t_eta, rho,
-        mu, r_f) = call.values
+    (theta, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t, m_t, S_t_xi,
+        S_t_eta, rho, mu, r_f) = call.values
     t1 = rho * A_1
     t2 = 1.0 / A_1
     t3 = t1 * t2
@@ -2200,75 +2566,192 @@ def stick_volumes(*, theta, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20,
     t12 = slope * slope
     t13 = t3 * t8
     t14 = t6 * t10
-    t15 = 4.0 * ((0.5 * ((t13 + t13) + (t14 + t14))) * sin_theta)
-    t16 = M * l
+    t15 = (0.5 * ((t13 + t13) + (t14 + t14))) * sin_theta
+    t16 = 4.0 * t15
+    t17 = M * l
     cos_lam = xp.cos(lam)
+    t18 = t17 * cos_lam
     sin_lam = xp.sin(lam)
-    t17 = ((((t16 * cos_lam) + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi) * cos_theta
-    t18 = ((((t16 * sin_lam) + (m_1 * t7)) + (m_2 * t9)) + S_t_eta) * sin_theta
-    level = t17 - t18
+    t19 = t17 * sin_lam
+    unmoved = (
+        ((((t18 + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi) * cos_theta) - ((((t19 + (m_1 * t7)) +
+        (m_2 * t9)) + S_t_eta) * sin_theta)
+    )
+    t20 = t12 + (t16 * unmoved)
+    t21 = t20 < 0.0
+    t22 = xp.logical_not(t21)
+    t23 = 2.0 * unmoved
+    t24 = slope < 0.0
+    t25 = call.select(t22, t20, 1.0)
+    t26 = xp.sqrt(t25)
+    t27 = call.select(t24, (-t26), t26)
+    t28 = slope + t27
+    t29 = xp.abs(t28)
+    t30 = xp.abs(t23) < (1000.0 * t29)
+    t31 = xp.logical_and(t22, t30)
+    t32 = call.select(t31, t28, 1.0)
+    t33 = t23 / t32
+    t34 = call.select(t31, (-t33), 0.0)
+    h_1 = h_10 + (t34 * t2)
+    t35 = h_1 < 0.0
+    t36 = xp.logical_not(t35)
+    h_2 = h_20 - (t34 * t5)
+    t37 = h_2 < 0.0
+    t38 = xp.logical_not(t37)
+    t39 = xp.logical_and(t36, t38)
+    t40 = h_max < h_1
+    t41 = xp.logical_not(t40)
+    t42 = xp.logical_and(t39, t41)
+    t43 = h_max < h_2
+    t44 = xp.logical_not(t43)
+    t45 = xp.logical_and(t42, t44)
+    t46 = xp.logical_and(t31, t45)
+    m_1_value = t1 * h_1
+    m_2_value = t4 * h_2
+    t47 = (t19 + (m_1_value * (y_1 + (0.5 * h_1)))) + (m_2_value * (y_2 + (0.5 * h_2)))
+    t48 = (
+        ((((t18 + (m_1_value * x_1)) + (m_2_value * x_2)) + S_t_xi) * sin_theta) + ((t47 +
+        S_t_eta) * cos_theta)
+    )
+    t49 = t48 < 0.0
+    t50 = xp.logical_and(t46, t49)
+    t51 = xp.logical_not(t50)
+    t52 = 2.0 * t15
+    t53 = 1000.0 * xp.abs(t52)
+    t54 = t29 < t53
+    t55 = xp.logical_and(t22, t54)
+    t56 = call.select(t55, (-t52), 1.0)
+    t57 = t28 / t56
+    t58 = call.select(t55, (-t57), 0.0)
+    h_1_value = h_10 + (t58 * t2)
+    t59 = h_1_value < 0.0
+    t60 = xp.logical_not(t59)
+    h_2_value = h_20 - (t58 * t5)
+    t61 = h_2_value < 0.0
+    t62 = xp.logical_not(t61)
+    t63 = xp.logical_and(t60, t62)
+    t64 = h_max < h_1_value
+    t65 = xp.logical_not(t64)
+    t66 = xp.logical_and(t63, t65)
+    t67 = h_max < h_2_value
+    t68 = xp.logical_not(t67)
+    t69 = xp.logical_and(t66, t68)
+    t70 = xp.logical_and(t55, t69)
+    m_1_value2 = t1 * h_1_value
+    m_2_value2 = t4 * h_2_value
+    t71 = (
+        (t19 + (m_1_value2 * (y_1 + (0.5 * h_1_value)))) + (m_2_value2 * (y_2 + (0.5 *
+        h_2_value)))
+    )
+    t72 = (
+        ((((t18 + (m_1_value2 * x_1)) + (m_2_value2 * x_2)) + S_t_xi) * sin_theta) + ((t71 +
+        S_t_eta) * cos_theta)
+    )
+    t73 = t72 < 0.0
+    t74 = xp.logical_and(t70, t73)
+    t75 = xp.logical_not(t74)
+    t76 = xp.logical_and(t75, t46)
+    t77 = xp.logical_not(t76)
+    other_root = xp.logical_and(t51, t77)
     arm = 0.5 * (mu * r_f)
     m_all = (M + (rho * ((A_1 * h_10) + (A_2 * h_20)))) + m_t
-    t19 = arm * m_all
-    t20 = level + t19
-    t21 = t12 + (t15 * t20)
-    t22 = t21 < 0.0
-    t23 = xp.logical_not(t22)
-    t24 = 1000.0 * xp.abs(slope)
-    t25 = xp.abs(t20) < t24
-    t26 = xp.logical_and(t23, t25)
-    t27 = xp.logical_not(t26)
-    t28 = slope < 0.0
-    t29 = call.select(t27, 1.0, t21)
-    t30 = xp.sqrt(t29)
-    t31 = call.select(t28, (-t30), t30)
-    t32 = call.select(t27, 1.0, (slope + t31))
-    t33 = (2.0 * t20) / t32
-    s_on = call.select(t27, 0.0, (-t33))
-    t34 = level - t19
-    t35 = t12 + (t15 * t34)
-    t36 = t35 < 0.0
-    t37 = xp.logical_not(t36)
-    t38 = xp.abs(t34) < t24
-    t39 = xp.logical_and(t37, t38)
-    t40 = xp.logical_not(t39)
-    t41 = call.select(t40, 1.0, t35)
-    t42 = xp.sqrt(t41)
-    t43 = call.select(t28, (-t42), t42)
-    t44 = call.select(t40, 1.0, (slope + t43))
-    t45 = (2.0 * t34) / t44
-    s_back = call.select(t40, 0.0, (-t45))
+    t78 = arm * m_all
+    t79 = unmoved + t78
+    t80 = t12 + (t16 * t79)
+    t81 = t80 < 0.0
+    t82 = xp.logical_not(t81)
+    t83 = call.select(t82, t80, 1.0)
+    t84 = xp.sqrt(t83)
+    t85 = call.select(t24, (-t84), t84)
+    t86 = slope + t85
+    t87 = xp.abs(t86)
+    t88 = t87 < t53
+    t89 = xp.logical_and(t82, t88)
+    t90 = call.select(t89, (-t52), 1.0)
+    t91 = t86 / t90
+    t92 = call.select(t89, (-t91), 0.0)
+    t93 = 2.0 * t79
+    t94 = xp.abs(t93) < (1000.0 * t87)
+    t95 = xp.logical_and(t82, t94)
+    t96 = call.select(t95, t86, 1.0)
+    t97 = t93 / t96
+    t98 = call.select(t95, (-t97), 0.0)
+    s_on = call.select(other_root, t92, t98)
+    t99 = unmoved - t78
+    t100 = t12 + (t16 * t99)
+    t101 = t100 < 0.0
+    t102 = xp.logical_not(t101)
+    t103 = call.select(t102, t100, 1.0)
+    t104 = xp.sqrt(t103)
+    t105 = call.select(t24, (-t104), t104)
+    t106 = slope + t105
+    t107 = xp.abs(t106)
+    t108 = t107 < t53
+    t109 = xp.logical_and(t102, t108)
+    t110 = call.select(t109, (-t52), 1.0)
+    t111 = t106 / t110
+    t112 = call.select(t109, (-t111), 0.0)
+    t113 = 2.0 * t99
+    t114 = xp.abs(t113) < (1000.0 * t107)
+    t115 = xp.logical_and(t102, t114)
+    t116 = call.select(t115, t106, 1.0)
+    t117 = t113 / t116
+    t118 = call.select(t115, (-t117), 0.0)
+    s_back = call.select(other_root, t112, t118)
     reversal = s_on - s_back
-    h_1 = h_10 + (s_on * t2)
-    t46 = h_1 < 0.0
-    t47 = xp.logical_not(t46)
-    h_2 = h_20 - (s_on * t5)
-    t48 = h_2 < 0.0
-    t49 = xp.logical_not(t48)
-    t50 = xp.logical_and(t47, t49)
-    t51 = h_max < h_1
-    t52 = xp.logical_not(t51)
-    t53 = xp.logical_and(t50, t52)
-    t54 = h_max < h_2
-    t55 = xp.logical_not(t54)
-    t56 = xp.logical_and(t53, t55)
-    t57 = xp.logical_and(t26, t56)
-    no_s_on = xp.logical_not(t57)
-    h_1_value = h_10 + (s_back * t2)
-    t58 = h_1_value < 0.0
-    t59 = xp.logical_not(t58)
-    h_2_value = h_20 - (s_back * t5)
-    t60 = h_2_value < 0.0
-    t61 = xp.logical_not(t60)
-    t62 = xp.logical_and(t59, t61)
-    t63 = h_max < h_1_value
-    t64 = xp.logical_not(t63)
-    t65 = xp.logical_and(t62, t64)
-    t66 = h_max < h_2_value
-    t67 = xp.logical_not(t66)
-    t68 = xp.logical_and(t65, t67)
-    t69 = xp.logical_and(t39, t68)
-    no_s_back = xp.logical_not(t69)
+    m_fit = (rho * a_t) * L_t
+    t119 = 0.001 * m_fit
+    t120 = m_t - m_fit
+    t121 = t119 < t120
+    t122 = xp.logical_not(t121)
+    t123 = t119 < (-t120)
+    t124 = xp.logical_not(t123)
+    t125 = xp.logical_and(t122, t124)
+    misfit = xp.logical_not(t125)
+    t126 = xp.logical_and(other_root, t89)
+    t127 = xp.logical_not(t126)
+    t128 = xp.logical_not(other_root)
+    t129 = xp.logical_and(t128, t95)
+    t130 = xp.logical_not(t129)
+    t131 = xp.logical_and(t127, t130)
+    t132 = xp.logical_not(t131)
+    h_1_value2 = h_10 + (s_on * t2)
+    t133 = h_1_value2 < 0.0
+    t134 = xp.logical_not(t133)
+    h_2_value2 = h_20 - (s_on * t5)
+    t135 = h_2_value2 < 0.0
+    t136 = xp.logical_not(t135)
+    t137 = xp.logical_and(t134, t136)
+    t138 = h_max < h_1_value2
+    t139 = xp.logical_not(t138)
+    t140 = xp.logical_and(t137, t139)
+    t141 = h_max < h_2_value2
+    t142 = xp.logical_not(t141)
+    t143 = xp.logical_and(t140, t142)
+    t144 = xp.logical_and(t132, t143)
+    no_s_on = xp.logical_not(t144)
+    t145 = xp.logical_and(other_root, t109)
+    t146 = xp.logical_not(t145)
+    t147 = xp.logical_and(t128, t115)
+    t148 = xp.logical_not(t147)
+    t149 = xp.logical_and(t146, t148)
+    t150 = xp.logical_not(t149)
+    h_1_value3 = h_10 + (s_back * t2)
+    t151 = h_1_value3 < 0.0
+    t152 = xp.logical_not(t151)
+    h_2_value3 = h_20 - (s_back * t5)
+    t153 = h_2_value3 < 0.0
+    t154 = xp.logical_not(t153)
+    t155 = xp.logical_and(t152, t154)
+    t156 = h_max < h_1_value3
+    t157 = xp.logical_not(t156)
+    t158 = xp.logical_and(t155, t157)
+    t159 = h_max < h_2_value3
+    t160 = xp.logical_not(t159)
+    t161 = xp.logical_and(t158, t160)
+    t162 = xp.logical_and(t150, t161)
+    no_s_back = xp.logical_not(t162)
+    call.case(-3, misfit)  # UNREACHABLE
     call.case(-3, no_s_on)  # UNREACHABLE
     call.case(-3, no_s_back)  # UNREACHABLE
     return StickVolumesResult(
@@ -2279,25 +2762,694 @@ def stick_volumes(*, theta, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20,
     )
 
 
-class CycleResult(NamedTuple):
-    """Results of `cycle`."""
+class RestVolumeLevelResult(NamedTuple):
+    """Results of `rest_volume_level`."""
 
-    t_on: Any
-    t_cycle: Any
+    s: Any
     status: Any
 
 
-def cycle(*, s, theta_dot_ref, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, m_t,
-    S_t_xi, S_t_eta, rho, q_pump, band_on, band_off, I_zz=None, w=None, a_t=None, L_t=None,
-    I_t=None, Gamma_t=None, g=None, mu=None, r_f=None, r_A=None, r_B=None, omega_s=None, gcr=None,
-    cross_axis_tilt=None, rotation_min=None, rotation_max=None):
-    """Time for which an on-off pump runs, and period of its cycle.
+def rest_volume_level(*, theta, M, l, lam, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max,
+    a_t, L_t, m_t, S_t_xi, S_t_eta, rho, I_zz=None, I_t=None, Gamma_t=None, g=None, mu=None,
+    r_f=None, r_A=None, r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None,
+    lag=None, gcr=None, cross_axis_tilt=None, rotation_min=None, rotation_max=None):
+    """Volume at which the trough rests at an angle when the water's surfaces are level.
 
-    65 flops (36 mul, 23 add, 5 div, 1 sqrt), 2 sin/cos, 0 atan2
+    154 flops (88 mul, 58 add, 7 div, 1 sqrt), 4 sin/cos, 0 atan2
 
     Args:
+        theta: turn of the trough about the axis; filling container 1 turns it on, rad
+        M: mass of the concentrator, without water, kg
+        l: distance of the concentrator's centre of mass from the axis, m
+        lam: direction of that centre of mass, from xi towards eta: -pi/2 is below the axis, rad
+        A_1: floor area of container 1, m^2
+        A_2: floor area of container 2, m^2
+        w: width of either container across the axis, m
+        x_1: centre of container 1's floor, along xi, m
+        y_1: centre of container 1's floor, along eta, m
+        x_2: centre of container 2's floor, along xi, m
+        y_2: centre of container 2's floor, along eta, m
+        h_10: level in container 1 before any water is moved, m
+        h_20: level in container 2 before any water is moved, m
+        h_max: height of either container, m
+        a_t: cross-section of the tube, m^2
+        L_t: length of the tube, m
+        m_t: mass of the water in the tube, kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
+        rho: density of the water, kg/m^3
+        I_zz, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
+            cross_axis_tilt, rotation_min, rotation_max: accepted and not read
+
+    Returns:
+        s: volume at which the trough rests at this angle when the surfaces are level, m^3
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
+        status -3 (UNREACHABLE): a container lies on its side
+        status -3 (UNREACHABLE): no volume makes the trough rest at this angle
+        status -3 (UNREACHABLE): the rest at this angle does not last
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
+    """
+    call = Call(
+        ("theta", theta, -1000.0, 1000.0, 0.4),
+        ("M", M, 0.0, 100000.0, 126.875),
+        ("l", l, 0.0, 100.0, 0.1875),
+        ("lam", lam, -1000.0, 1000.0, -1.3875000000000002),
+        ("A_1", A_1, 0.0001, 100.0, 0.1325),
+        ("A_2", A_2, 0.0001, 100.0, 0.1325),
+        ("w", w, 0.0, 100.0, 0.20625),
+        ("x_1", x_1, -100.0, 100.0, -0.5625),
+        ("y_1", y_1, -100.0, 100.0, -0.04999999999999999),
+        ("x_2", x_2, -100.0, 100.0, 0.7375),
+        ("y_2", y_2, -100.0, 100.0, -0.04999999999999999),
+        ("h_10", h_10, 0.0, 10.0, 0.08125),
+        ("h_20", h_20, 0.0, 10.0, 0.08125),
+        ("h_max", h_max, 0.0, 10.0, 0.24375),
+        ("a_t", a_t, 1e-06, 1.0, 0.0006625),
+        ("L_t", L_t, 0.0, 100.0, 2.25),
+        ("m_t", m_t, 0.0, 100000.0, 1.9125),
+        ("S_t_xi", S_t_xi, -100000.0, 100000.0, 0.075),
+        ("S_t_eta", S_t_eta, -100000.0, 100000.0, 0.075),
+        ("rho", rho, 0.001, 20000.0, 1002.5),
+    )
+    xp = call.xp
+    (theta, M, l, lam, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t, m_t, S_t_xi,
+        S_t_eta, rho) = call.values
+    t1 = rho * A_1
+    t2 = 1.0 / A_1
+    t3 = t1 * t2
+    t4 = rho * A_2
+    t5 = 1.0 / A_2
+    t6 = t4 * t5
+    cos_theta = xp.cos(theta)
+    t7 = y_1 + (0.5 * h_10)
+    m_1 = t1 * h_10
+    t8 = 0.5 * t2
+    t9 = y_2 + (0.5 * h_20)
+    m_2 = t4 * h_20
+    t10 = 0.5 * t5
+    t11 = ((t3 * t7) + (m_1 * t8)) - ((t6 * t9) + (m_2 * t10))
+    sin_theta = xp.sin(theta)
+    slope = (((t3 * x_1) - (t6 * x_2)) * cos_theta) - (t11 * sin_theta)
+    t12 = t3 * t8
+    t13 = t6 * t10
+    t14 = (0.5 * ((t12 + t12) + (t13 + t13))) * sin_theta
+    t15 = M * l
+    cos_lam = xp.cos(lam)
+    t16 = t15 * cos_lam
+    sin_lam = xp.sin(lam)
+    t17 = t15 * sin_lam
+    unmoved = (
+        ((((t16 + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi) * cos_theta) - ((((t17 + (m_1 * t7)) +
+        (m_2 * t9)) + S_t_eta) * sin_theta)
+    )
+    t18 = 0.041666666666666664 * (((rho * (A_1 + A_2)) * w) * w)
+    t19 = 0.001 < cos_theta
+    tipped = xp.logical_not(t19)
+    t20 = call.select(tipped, 0.0, sin_theta)
+    t21 = call.select(tipped, 1.0, cos_theta)
+    t22 = t21 * t21
+    t23 = 1.0 / t22
+    wedge = (t18 * t20) * (1.0 + t23)
+    t24 = unmoved - wedge
+    t25 = (slope * slope) + ((4.0 * t14) * t24)
+    t26 = t25 < 0.0
+    t27 = xp.logical_not(t26)
+    t28 = 2.0 * t24
+    t29 = slope < 0.0
+    t30 = call.select(t27, t25, 1.0)
+    t31 = xp.sqrt(t30)
+    t32 = call.select(t29, (-t31), t31)
+    t33 = slope + t32
+    t34 = xp.abs(t33)
+    t35 = xp.abs(t28) < (1000.0 * t34)
+    t36 = xp.logical_and(t27, t35)
+    t37 = call.select(t36, t33, 1.0)
+    t38 = t28 / t37
+    t39 = call.select(t36, (-t38), 0.0)
+    h_1 = h_10 + (t39 * t2)
+    t40 = h_1 < 0.0
+    t41 = xp.logical_not(t40)
+    h_2 = h_20 - (t39 * t5)
+    t42 = h_2 < 0.0
+    t43 = xp.logical_not(t42)
+    t44 = xp.logical_and(t41, t43)
+    t45 = h_max < h_1
+    t46 = xp.logical_not(t45)
+    t47 = xp.logical_and(t44, t46)
+    t48 = h_max < h_2
+    t49 = xp.logical_not(t48)
+    t50 = xp.logical_and(t47, t49)
+    t51 = xp.logical_and(t36, t50)
+    m_1_value = t1 * h_1
+    m_2_value = t4 * h_2
+    t52 = (t17 + (m_1_value * (y_1 + (0.5 * h_1)))) + (m_2_value * (y_2 + (0.5 * h_2)))
+    t53 = (
+        ((((t16 + (m_1_value * x_1)) + (m_2_value * x_2)) + S_t_xi) * sin_theta) + ((t52 +
+        S_t_eta) * cos_theta)
+    )
+    t54 = 1.0 / t21
+    t55 = ((2.0 * t20) * t20) / (t22 * t21)
+    wedge_slope = t18 * ((t21 + t54) + t55)
+    t56 = t53 < (-wedge_slope)
+    t57 = xp.logical_and(t51, t56)
+    t58 = xp.logical_not(t57)
+    t59 = 2.0 * t14
+    t60 = t34 < (1000.0 * xp.abs(t59))
+    t61 = xp.logical_and(t27, t60)
+    t62 = call.select(t61, (-t59), 1.0)
+    t63 = t33 / t62
+    t64 = call.select(t61, (-t63), 0.0)
+    h_1_value = h_10 + (t64 * t2)
+    t65 = h_1_value < 0.0
+    t66 = xp.logical_not(t65)
+    h_2_value = h_20 - (t64 * t5)
+    t67 = h_2_value < 0.0
+    t68 = xp.logical_not(t67)
+    t69 = xp.logical_and(t66, t68)
+    t70 = h_max < h_1_value
+    t71 = xp.logical_not(t70)
+    t72 = xp.logical_and(t69, t71)
+    t73 = h_max < h_2_value
+    t74 = xp.logical_not(t73)
+    t75 = xp.logical_and(t72, t74)
+    t76 = xp.logical_and(t61, t75)
+    m_1_value2 = t1 * h_1_value
+    m_2_value2 = t4 * h_2_value
+    t77 = (
+        (t17 + (m_1_value2 * (y_1 + (0.5 * h_1_value)))) + (m_2_value2 * (y_2 + (0.5 *
+        h_2_value)))
+    )
+    t78 = (
+        ((((t16 + (m_1_value2 * x_1)) + (m_2_value2 * x_2)) + S_t_xi) * sin_theta) + ((t77 +
+        S_t_eta) * cos_theta)
+    )
+    t79 = t78 < (-wedge_slope)
+    t80 = xp.logical_and(t76, t79)
+    t81 = xp.logical_not(t80)
+    t82 = xp.logical_and(t81, t51)
+    t83 = xp.logical_not(t82)
+    t84 = xp.logical_and(t58, t83)
+    s_level = call.select(t84, t64, t39)
+    m_fit = (rho * a_t) * L_t
+    t85 = 0.001 * m_fit
+    t86 = m_t - m_fit
+    t87 = t85 < t86
+    t88 = xp.logical_not(t87)
+    t89 = t85 < (-t86)
+    t90 = xp.logical_not(t89)
+    t91 = xp.logical_and(t88, t90)
+    misfit = xp.logical_not(t91)
+    t92 = xp.logical_and(t84, t61)
+    t93 = xp.logical_not(t92)
+    t94 = xp.logical_not(t84)
+    t95 = xp.logical_and(t94, t36)
+    t96 = xp.logical_not(t95)
+    t97 = xp.logical_and(t93, t96)
+    t98 = xp.logical_not(t97)
+    h_1_value2 = h_10 + (s_level * t2)
+    t99 = h_1_value2 < 0.0
+    t100 = xp.logical_not(t99)
+    h_2_value2 = h_20 - (s_level * t5)
+    t101 = h_2_value2 < 0.0
+    t102 = xp.logical_not(t101)
+    t103 = xp.logical_and(t100, t102)
+    t104 = h_max < h_1_value2
+    t105 = xp.logical_not(t104)
+    t106 = xp.logical_and(t103, t105)
+    t107 = h_max < h_2_value2
+    t108 = xp.logical_not(t107)
+    t109 = xp.logical_and(t106, t108)
+    t110 = xp.logical_and(t98, t109)
+    no_s_level = xp.logical_not(t110)
+    m_1_value3 = t1 * h_1_value2
+    m_2_value3 = t4 * h_2_value2
+    t111 = (
+        (t17 + (m_1_value3 * (y_1 + (0.5 * h_1_value2)))) + (m_2_value3 * (y_2 + (0.5 *
+        h_2_value2)))
+    )
+    t112 = (
+        ((((t16 + (m_1_value3 * x_1)) + (m_2_value3 * x_2)) + S_t_xi) * sin_theta) + ((t111 +
+        S_t_eta) * cos_theta)
+    )
+    t113 = t112 < (-wedge_slope)
+    tops_level = xp.logical_not(t113)
+    call.case(-3, misfit)  # UNREACHABLE
+    call.case(-3, tipped)  # UNREACHABLE
+    call.case(-3, no_s_level)  # UNREACHABLE
+    call.case(-3, tops_level)  # UNREACHABLE
+    return RestVolumeLevelResult(
+        s=call.array((), (s_level,)),
+        status=call.status,
+    )
+
+
+class FreeSurfaceResult(NamedTuple):
+    """Results of `free_surface`."""
+
+    M_level: Any
+    loss: Any
+    wall_1: Any
+    wall_2: Any
+    status: Any
+
+
+def free_surface(*, theta, s, M, l, lam, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t,
+    L_t, m_t, S_t_xi, S_t_eta, rho, g, I_zz=None, I_t=None, Gamma_t=None, mu=None, r_f=None,
+    r_A=None, r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None, lag=None,
+    gcr=None, cross_axis_tilt=None, rotation_min=None, rotation_max=None):
+    """What level surfaces, which the other kernels leave out, change: their moment, the part of
+    the stiffness that they take, and how high water stands at the lower walls.
+
+    65 flops (37 mul, 21 add, 6 div, 1 sqrt), 4 sin/cos, 0 atan2
+
+    Args:
+        theta: turn of the trough about the axis; filling container 1 turns it on, rad
         s: volume moved from container 2 to 1, m^3
-        theta_dot_ref: rate at which the trough is to turn, rad/s
+        M: mass of the concentrator, without water, kg
+        l: distance of the concentrator's centre of mass from the axis, m
+        lam: direction of that centre of mass, from xi towards eta: -pi/2 is below the axis, rad
+        A_1: floor area of container 1, m^2
+        A_2: floor area of container 2, m^2
+        w: width of either container across the axis, m
+        x_1: centre of container 1's floor, along xi, m
+        y_1: centre of container 1's floor, along eta, m
+        x_2: centre of container 2's floor, along xi, m
+        y_2: centre of container 2's floor, along eta, m
+        h_10: level in container 1 before any water is moved, m
+        h_20: level in container 2 before any water is moved, m
+        h_max: height of either container, m
+        a_t: cross-section of the tube, m^2
+        L_t: length of the tube, m
+        m_t: mass of the water in the tube, kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
+        rho: density of the water, kg/m^3
+        g: acceleration of free fall, m/s^2
+        I_zz, I_t, Gamma_t, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
+            cross_axis_tilt, rotation_min, rotation_max: accepted and not read
+
+    Returns:
+        M_level: moment of level surfaces on the trough, N*m
+        loss: part of the stiffness that level surfaces take away, rad
+        wall_1: height of level water over the floor, at the lower wall of container 1, m
+        wall_2: height of level water over the floor, at the lower wall of container 2, m
+        status -3 (UNREACHABLE): a container would overflow, or hold less than nothing
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
+        status -3 (UNREACHABLE): a container lies on its side
+        status 5 (LIMIT): level water would stand higher than a wall
+        status 5 (LIMIT): a level surface would bare a part of a floor
+        status 2 (SINGULAR): the mass centre lies on the axis, within 1e-6 m: any angle is a rest
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
+    """
+    call = Call(
+        ("theta", theta, -1000.0, 1000.0, 0.4),
+        ("s", s, -1000.0, 1000.0, 0.00025),
+        ("M", M, 0.0, 100000.0, 126.875),
+        ("l", l, 0.0, 100.0, 0.1875),
+        ("lam", lam, -1000.0, 1000.0, -1.3875000000000002),
+        ("A_1", A_1, 0.0001, 100.0, 0.1325),
+        ("A_2", A_2, 0.0001, 100.0, 0.1325),
+        ("w", w, 0.0, 100.0, 0.20625),
+        ("x_1", x_1, -100.0, 100.0, -0.5625),
+        ("y_1", y_1, -100.0, 100.0, -0.04999999999999999),
+        ("x_2", x_2, -100.0, 100.0, 0.7375),
+        ("y_2", y_2, -100.0, 100.0, -0.04999999999999999),
+        ("h_10", h_10, 0.0, 10.0, 0.08125),
+        ("h_20", h_20, 0.0, 10.0, 0.08125),
+        ("h_max", h_max, 0.0, 10.0, 0.24375),
+        ("a_t", a_t, 1e-06, 1.0, 0.0006625),
+        ("L_t", L_t, 0.0, 100.0, 2.25),
+        ("m_t", m_t, 0.0, 100000.0, 1.9125),
+        ("S_t_xi", S_t_xi, -100000.0, 100000.0, 0.075),
+        ("S_t_eta", S_t_eta, -100000.0, 100000.0, 0.075),
+        ("rho", rho, 0.001, 20000.0, 1002.5),
+        ("g", g, 0.0, 1000.0, 6.25),
+    )
+    xp = call.xp
+    (theta, s, M, l, lam, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t, m_t,
+        S_t_xi, S_t_eta, rho, g) = call.values
+    t1 = 0.041666666666666664 * (((rho * (A_1 + A_2)) * w) * w)
+    cos_theta = xp.cos(theta)
+    t2 = 0.001 < cos_theta
+    tipped = xp.logical_not(t2)
+    sin_theta = xp.sin(theta)
+    t3 = call.select(tipped, 0.0, sin_theta)
+    t4 = call.select(tipped, 1.0, cos_theta)
+    t5 = t4 * t4
+    t6 = 1.0 / t5
+    wedge = (t1 * t3) * (1.0 + t6)
+    M_level = g * wedge
+    m_all = (M + (rho * ((A_1 * h_10) + (A_2 * h_20)))) + m_t
+    t7 = M * l
+    cos_lam = xp.cos(lam)
+    t8 = s / A_1
+    h_1 = h_10 + t8
+    m_1 = (rho * A_1) * h_1
+    t9 = s / A_2
+    h_2 = h_20 - t9
+    m_2 = (rho * A_2) * h_2
+    t10 = (((t7 * cos_lam) + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi
+    sin_lam = xp.sin(lam)
+    t11 = ((t7 * sin_lam) + (m_1 * (y_1 + (0.5 * h_1)))) + (m_2 * (y_2 + (0.5 * h_2)))
+    t12 = t11 + S_t_eta
+    reach = xp.sqrt((t10 * t10) + (t12 * t12))
+    t13 = (1.0e-6 * m_all) < reach
+    indifferent = xp.logical_not(t13)
+    t14 = 1.0 / t4
+    t15 = ((2.0 * t3) * t3) / (t5 * t4)
+    wedge_slope = t1 * ((t4 + t14) + t15)
+    t16 = call.select(indifferent, 1.0, reach)
+    t17 = wedge_slope / t16
+    softer = call.select(indifferent, 0.0, t17)
+    t18 = (0.5 * w) * xp.abs(t3 * t14)
+    wall_1 = h_1 + t18
+    wall_2 = h_2 + t18
+    t19 = h_1 < 0.0
+    t20 = xp.logical_not(t19)
+    t21 = h_2 < 0.0
+    t22 = xp.logical_not(t21)
+    t23 = xp.logical_and(t20, t22)
+    t24 = h_max < h_1
+    t25 = xp.logical_not(t24)
+    t26 = xp.logical_and(t23, t25)
+    t27 = h_max < h_2
+    t28 = xp.logical_not(t27)
+    t29 = xp.logical_and(t26, t28)
+    spilt = xp.logical_not(t29)
+    m_fit = (rho * a_t) * L_t
+    t30 = 0.001 * m_fit
+    t31 = m_t - m_fit
+    t32 = t30 < t31
+    t33 = xp.logical_not(t32)
+    t34 = t30 < (-t31)
+    t35 = xp.logical_not(t34)
+    t36 = xp.logical_and(t33, t35)
+    misfit = xp.logical_not(t36)
+    t37 = h_max < wall_1
+    t38 = xp.logical_not(t37)
+    t39 = h_max < wall_2
+    t40 = xp.logical_not(t39)
+    t41 = xp.logical_and(t38, t40)
+    runs_over = xp.logical_not(t41)
+    t42 = h_1 < t18
+    t43 = xp.logical_not(t42)
+    t44 = h_2 < t18
+    t45 = xp.logical_not(t44)
+    t46 = xp.logical_and(t43, t45)
+    bares = xp.logical_not(t46)
+    call.case(2, indifferent)  # SINGULAR
+    call.case(5, runs_over)  # LIMIT
+    call.case(5, bares)  # LIMIT
+    call.case(-3, spilt)  # UNREACHABLE
+    call.case(-3, misfit)  # UNREACHABLE
+    call.case(-3, tipped)  # UNREACHABLE
+    return FreeSurfaceResult(
+        M_level=call.array((), (M_level,)),
+        loss=call.array((), (softer,)),
+        wall_1=call.array((), (wall_1,)),
+        wall_2=call.array((), (wall_2,)),
+        status=call.status,
+    )
+
+
+class PowerResult(NamedTuple):
+    """Results of `power`."""
+
+    pump: Any
+    heat: Any
+    status: Any
+
+
+def power(*, theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10,
+    h_20, h_max, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A=None,
+    r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None, lag=None, gcr=None,
+    cross_axis_tilt=None, rotation_min=None, rotation_max=None):
+    """Power of the pump, and what the bearings turn into heat.
+
+    274 flops (173 mul, 94 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2
+
+    Args:
+        theta: turn of the trough about the axis; filling container 1 turns it on, rad
+        omega: angular velocity of the trough, rad/s
+        s: volume moved from container 2 to 1, m^3
+        q: flow from container 2 to 1, m^3/s
+        q_dot: rate of the flow, m^3/s^2
+        M: mass of the concentrator, without water, kg
+        l: distance of the concentrator's centre of mass from the axis, m
+        lam: direction of that centre of mass, from xi towards eta: -pi/2 is below the axis, rad
+        I_zz: moment of inertia of the concentrator about the axis, m^2*kg
+        A_1: floor area of container 1, m^2
+        A_2: floor area of container 2, m^2
+        w: width of either container across the axis, m
+        x_1: centre of container 1's floor, along xi, m
+        y_1: centre of container 1's floor, along eta, m
+        x_2: centre of container 2's floor, along xi, m
+        y_2: centre of container 2's floor, along eta, m
+        h_10: level in container 1 before any water is moved, m
+        h_20: level in container 2 before any water is moved, m
+        h_max: height of either container, m
+        a_t: cross-section of the tube, m^2
+        L_t: length of the tube, m
+        m_t: mass of the water in the tube, kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
+        I_t: second moment of the water in the tube about the axis, m^2*kg
+        Gamma_t: twice the area that the tube sweeps about the axis on its way from container 2 to
+            1: the integral of xi d(eta) - eta d(xi), m^2
+        rho: density of the water, kg/m^3
+        g: acceleration of free fall, m/s^2
+        mu: friction coefficient of the bearings
+        r_f: diameter of the bearings, m
+        r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min,
+            rotation_max: accepted and not read
+
+    Returns:
+        pump: power of the pump, without what the tube loses, W
+        heat: power that the bearings turn into heat, W
+        status -3 (UNREACHABLE): a container would overflow, or hold less than nothing
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
+        status -3 (UNREACHABLE): no body has so little inertia: it is below M l^2, or its kinetic
+            energy may be negative
+        status -3 (UNREACHABLE): the bearings jam, or the trough has no inertia
+        status 5 (LIMIT): a container is empty: its pump draws air
+        status 3 (STICKING): friction holds the trough: the acceleration is 0
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
+    """
+    call = Call(
+        ("theta", theta, -1000.0, 1000.0, 0.4),
+        ("omega", omega, -1000.0, 1000.0, 0.25),
+        ("s", s, -1000.0, 1000.0, 0.00025),
+        ("q", q, -10.0, 10.0, 0.00025),
+        ("q_dot", q_dot, -1000.0, 1000.0, 0.0025),
+        ("M", M, 0.0, 100000.0, 126.875),
+        ("l", l, 0.0, 100.0, 0.1875),
+        ("lam", lam, -1000.0, 1000.0, -1.3875000000000002),
+        ("I_zz", I_zz, 0.0, 1000000.0, 32.0),
+        ("A_1", A_1, 0.0001, 100.0, 0.1325),
+        ("A_2", A_2, 0.0001, 100.0, 0.1325),
+        ("w", w, 0.0, 100.0, 0.20625),
+        ("x_1", x_1, -100.0, 100.0, -0.5625),
+        ("y_1", y_1, -100.0, 100.0, -0.04999999999999999),
+        ("x_2", x_2, -100.0, 100.0, 0.7375),
+        ("y_2", y_2, -100.0, 100.0, -0.04999999999999999),
+        ("h_10", h_10, 0.0, 10.0, 0.08125),
+        ("h_20", h_20, 0.0, 10.0, 0.08125),
+        ("h_max", h_max, 0.0, 10.0, 0.24375),
+        ("a_t", a_t, 1e-06, 1.0, 0.0006625),
+        ("L_t", L_t, 0.0, 100.0, 2.25),
+        ("m_t", m_t, 0.0, 100000.0, 1.9125),
+        ("S_t_xi", S_t_xi, -100000.0, 100000.0, 0.075),
+        ("S_t_eta", S_t_eta, -100000.0, 100000.0, 0.075),
+        ("I_t", I_t, 0.0, 1000000.0, 1.25),
+        ("Gamma_t", Gamma_t, -10000.0, 10000.0, 0.125),
+        ("rho", rho, 0.001, 20000.0, 1002.5),
+        ("g", g, 0.0, 1000.0, 6.25),
+        ("mu", mu, 0.0, 10.0, 0.1875),
+        ("r_f", r_f, 0.0, 100.0, 0.04125),
+    )
+    xp = call.xp
+    (theta, omega, s, q, q_dot, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20,
+        h_max, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f) = call.values
+    t1 = 1.0 / A_1
+    t2 = q * t1
+    t3 = 1.0 / A_2
+    t4 = q * t3
+    t5 = rho * ((x_1 * t2) + (x_2 * t4))
+    h_1 = h_10 + (s * t1)
+    h_2 = h_20 - (s * t3)
+    Gamma = ((x_1 * h_1) - (x_2 * h_2)) + Gamma_t
+    t6 = rho * Gamma
+    t7 = omega < 0.0
+    t8 = xp.logical_not(t7)
+    t9 = 0.0 < omega
+    t10 = xp.logical_not(t9)
+    stands = xp.logical_and(t8, t10)
+    arm = 0.5 * (mu * r_f)
+    t11 = rho * A_1
+    t12 = q_dot * t1
+    t13 = t11 * t12
+    t14 = rho * A_2
+    t15 = q_dot * t3
+    t16 = t14 * t15
+    t17 = y_1 + (0.5 * h_1)
+    t18 = t11 * t2
+    t19 = 0.5 * t2
+    t20 = t18 * t19
+    m_1 = t11 * h_1
+    t21 = y_2 + (0.5 * h_2)
+    t22 = t14 * t4
+    t23 = 0.5 * t4
+    t24 = t22 * t23
+    m_2 = t14 * h_2
+    t25 = (t24 - (t16 * t21)) + (t24 - (m_2 * (0.5 * t15)))
+    t26 = (((t13 * t17) + t20) + (t20 + (m_1 * (0.5 * t12)))) + t25
+    t27 = 2.0 * omega
+    S_dot_x = (t18 * x_1) - (t22 * x_2)
+    S_dot_y = ((t18 * t17) + (m_1 * t19)) - ((t22 * t21) + (m_2 * t23))
+    t28 = ((t13 * x_1) - (t16 * x_2)) - (t27 * S_dot_y)
+    t29 = omega * omega
+    t30 = M * l
+    cos_lam = xp.cos(lam)
+    S_x = (((t30 * cos_lam) + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi
+    sin_lam = xp.sin(lam)
+    S_y = (((t30 * sin_lam) + (m_1 * t17)) + (m_2 * t21)) + S_t_eta
+    m_all = (M + (rho * ((A_1 * h_10) + (A_2 * h_20)))) + m_t
+    t31 = m_all * g
+    sin_theta = xp.sin(theta)
+    cos_theta = xp.cos(theta)
+    F_held_x = (t28 - (t29 * S_x)) + (t31 * sin_theta)
+    F_held_y = ((t26 + (t27 * S_dot_x)) - (t29 * S_y)) + (t31 * cos_theta)
+    t32 = xp.sqrt((F_held_x * F_held_x) + (F_held_y * F_held_y))
+    M_most = arm * t32
+    t33 = 0.08333333333333333 * (w * w)
+    t34 = ((((x_1 * x_1) + t33) + (y_1 * y_1)) + (y_1 * h_1)) + (0.3333333333333333 * (h_1 * h_1))
+    t35 = t2 * h_1
+    t36 = (t18 * t34) + (m_1 * ((y_1 * t2) + (0.3333333333333333 * (t35 + t35))))
+    t37 = ((((x_2 * x_2) + t33) + (y_2 * y_2)) + (y_2 * h_2)) + (0.3333333333333333 * (h_2 * h_2))
+    t38 = t4 * h_2
+    t39 = (t22 * t37) + (m_2 * ((y_2 * t4) + (0.3333333333333333 * (t38 + t38))))
+    t40 = (t36 - t39) * omega
+    inertia = ((I_zz + (m_1 * t34)) + (m_2 * t37)) + I_t
+    needed = (
+        ((0.5 * (t40 + t40)) + ((t5 * q) + (t6 * q_dot))) + (g * ((S_x * cos_theta) - (S_y *
+        sin_theta)))
+    )
+    t41 = M_most < (-needed)
+    t42 = xp.logical_not(t41)
+    t43 = xp.logical_and(stands, t42)
+    t44 = (-needed) < (-M_most)
+    t45 = xp.logical_not(t44)
+    sticks = xp.logical_and(t43, t45)
+    t46 = (-needed) < 0.0
+    t47 = call.select(t46, (-1.0), 1.0)
+    t48 = call.select(t7, (-1.0), 1.0)
+    direction = call.select(stands, t47, t48)
+    t49 = 1.0e-9 < inertia
+    inertialess = xp.logical_not(t49)
+    t50 = call.select(inertialess, 1.0, inertia)
+    t51 = 1.0 / t50
+    t52 = needed * t51
+    f_x = arm * (F_held_x + (t52 * S_y))
+    f_y = arm * (F_held_y - (t52 * S_x))
+    t53 = arm * t51
+    t54 = t53 * S_y
+    self_lever_y = t53 * S_x
+    t55 = (t54 * t54) + (self_lever_y * self_lever_y)
+    t56 = t55 < 0.999
+    t57 = xp.logical_and(t49, t56)
+    jammed = xp.logical_not(t57)
+    t58 = call.select(jammed, 0.0, direction)
+    t59 = t58 * ((f_x * self_lever_y) + (f_y * t54))
+    t60 = xp.sqrt(((f_x * f_x) + (f_y * f_y)) - (t59 * t59))
+    t61 = t60 - (t58 * ((f_y * self_lever_y) - (f_x * t54)))
+    M_slip = t61 / (1.0 - ((t58 * t58) * t55))
+    t62 = direction * M_slip
+    alpha_found = call.select(sticks, 0.0, (-((needed + t62) * t51)))
+    t63 = h_1 * t1
+    t64 = h_2 * t3
+    t65 = L_t / a_t
+    m_eff = rho * ((t63 + t64) + t65)
+    t66 = ((rho * ((t2 * t1) - (t4 * t3))) * q) + (m_eff * q_dot)
+    t67 = t11 * t1
+    t68 = (t67 * t34) + (m_1 * ((y_1 * t1) + (0.3333333333333333 * (t63 + t63))))
+    t69 = t14 * t3
+    t70 = (t69 * t37) + (m_2 * ((y_2 * t3) + (0.3333333333333333 * (t64 + t64))))
+    t71 = (
+        (0.5 * (((t68 - t70) * omega) * omega)) + (((rho * ((x_1 * t1) + (x_2 * t3))) * q) *
+        omega)
+    )
+    t72 = ((rho * ((t1 * t1) - (t3 * t3))) * q) * q
+    t73 = (((t5 * omega) + (t6 * alpha_found)) + (0.5 * (t66 + t66))) - (t71 + (0.5 * t72))
+    t74 = ((t67 * t17) + (m_1 * (0.5 * t1))) - ((t69 * t21) + (m_2 * (0.5 * t3)))
+    t75 = (((t67 * x_1) - (t69 * x_2)) * sin_theta) + (t74 * cos_theta)
+    pressure = t73 + (g * t75)
+    pumped = pressure * q
+    M_F = call.select(sticks, needed, (-t62))
+    t76 = h_1 < 0.0
+    t77 = xp.logical_not(t76)
+    t78 = h_2 < 0.0
+    t79 = xp.logical_not(t78)
+    t80 = xp.logical_and(t77, t79)
+    t81 = h_max < h_1
+    t82 = xp.logical_not(t81)
+    t83 = xp.logical_and(t80, t82)
+    t84 = h_max < h_2
+    t85 = xp.logical_not(t84)
+    t86 = xp.logical_and(t83, t85)
+    spilt = xp.logical_not(t86)
+    m_fit = (rho * a_t) * L_t
+    t87 = 0.001 * m_fit
+    t88 = m_t - m_fit
+    t89 = t87 < t88
+    t90 = xp.logical_not(t89)
+    t91 = t87 < (-t88)
+    t92 = xp.logical_not(t91)
+    t93 = xp.logical_and(t90, t92)
+    misfit = xp.logical_not(t93)
+    t94 = I_zz < (0.999 * (t30 * l))
+    t95 = xp.logical_not(t94)
+    t96 = (inertia * m_eff) < (t6 * t6)
+    t97 = xp.logical_not(t96)
+    t98 = xp.logical_and(t95, t97)
+    too_slight = xp.logical_not(t98)
+    t99 = 0.0 < h_1
+    t100 = 0.0 < h_2
+    t101 = xp.logical_and(t99, t100)
+    dry = xp.logical_not(t101)
+    call.case(3, sticks)  # STICKING
+    call.case(5, dry)  # LIMIT
+    call.case(-3, spilt)  # UNREACHABLE
+    call.case(-3, misfit)  # UNREACHABLE
+    call.case(-3, too_slight)  # UNREACHABLE
+    call.case(-3, jammed)  # UNREACHABLE
+    return PowerResult(
+        pump=call.array((), (pumped,)),
+        heat=call.array((), (-(M_F * omega),)),
+        status=call.status,
+    )
+
+
+class CreepResult(NamedTuple):
+    """Results of `creep`."""
+
+    omega: Any
+    status: Any
+
+
+def creep(*, theta, s, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t, m_t,
+    S_t_xi, S_t_eta, rho, g, mu, r_f, omega_s, I_zz=None, w=None, I_t=None, Gamma_t=None,
+    r_A=None, r_B=None, q_pump=None, band_on=None, band_off=None, lag=None, gcr=None,
+    cross_axis_tilt=None, rotation_min=None, rotation_max=None):
+    """Angular velocity at which smooth friction lets creep what dry friction would hold.
+
+    55 flops (32 mul, 18 add, 3 div, 2 sqrt), 4 sin/cos, 0 atan2
+
+    Args:
+        theta: turn of the trough about the axis; filling container 1 turns it on, rad
+        s: volume moved from container 2 to 1, m^3
         M: mass of the concentrator, without water, kg
         l: distance of the concentrator's centre of mass from the axis, m
         lam: direction of that centre of mass, from xi towards eta: -pi/2 is below the axis, rad
@@ -2310,30 +3462,32 @@ def cycle(*, s, theta_dot_ref, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_
         h_10: level in container 1 before any water is moved, m
         h_20: level in container 2 before any water is moved, m
         h_max: height of either container, m
+        a_t: cross-section of the tube, m^2
+        L_t: length of the tube, m
         m_t: mass of the water in the tube, kg
-        S_t_xi: first moment of the water in the tube along xi, m*kg
-        S_t_eta: first moment of the water in the tube along eta, m*kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
         rho: density of the water, kg/m^3
-        q_pump: flow of the pump when it runs, m^3/s
-        band_on: error of the angle at which the pump starts, rad
-        band_off: error of the angle, in the sense of the motion, at which the pump stops;
-            negative lets it run ahead of the sun, rad
-        I_zz, w, a_t, L_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s, gcr, cross_axis_tilt,
+        g: acceleration of free fall, m/s^2
+        mu: friction coefficient of the bearings
+        r_f: diameter of the bearings, m
+        omega_s: angular velocity at which smooth friction has 0.71 of its size, rad/s
+        I_zz, w, I_t, Gamma_t, r_A, r_B, q_pump, band_on, band_off, lag, gcr, cross_axis_tilt,
             rotation_min, rotation_max: accepted and not read
 
     Returns:
-        t_on: time for which the pump runs in a cycle, s
-        t_cycle: period of the cycle of an on-off pump, s
+        omega: angular velocity at which the trough creeps under smooth friction, the water at
+            rest, rad/s
         status -3 (UNREACHABLE): a container would overflow, or hold less than nothing
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
         status 5 (LIMIT): a container is empty: its pump draws air
-        status 2 (SINGULAR): the mass centre lies on the axis, within 1e-6 m: any angle is a rest
-        status -3 (UNREACHABLE): the sun outruns the pump
-        status 2 (SINGULAR): a sun that stands still starts no pump
+        status -3 (UNREACHABLE): the weight overcomes friction: nothing holds
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
+        ("theta", theta, -1000.0, 1000.0, 0.4),
         ("s", s, -1000.0, 1000.0, 0.00025),
-        ("theta_dot_ref", theta_dot_ref, -1000.0, 1000.0, 0.0025),
         ("M", M, 0.0, 100000.0, 126.875),
         ("l", l, 0.0, 100.0, 0.1875),
         ("lam", lam, -1000.0, 1000.0, -1.3875000000000002),
@@ -2346,84 +3500,736 @@ def cycle(*, s, theta_dot_ref, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_
         ("h_10", h_10, 0.0, 10.0, 0.08125),
         ("h_20", h_20, 0.0, 10.0, 0.08125),
         ("h_max", h_max, 0.0, 10.0, 0.24375),
+        ("a_t", a_t, 1e-06, 1.0, 0.0006625),
+        ("L_t", L_t, 0.0, 100.0, 2.25),
         ("m_t", m_t, 0.0, 100000.0, 1.9125),
         ("S_t_xi", S_t_xi, -100000.0, 100000.0, 0.075),
         ("S_t_eta", S_t_eta, -100000.0, 100000.0, 0.075),
         ("rho", rho, 0.001, 20000.0, 1002.5),
-        ("q_pump", q_pump, 0.0, 1000.0, 0.0006253750000000001),
-        ("band_on", band_on, 0.0, 10.0, 0.031625),
-        ("band_off", band_off, -10.0, 10.0, -0.018750000000000003),
+        ("g", g, 0.0, 1000.0, 6.25),
+        ("mu", mu, 0.0, 10.0, 0.1875),
+        ("r_f", r_f, 0.0, 100.0, 0.04125),
+        ("omega_s", omega_s, 1e-09, 1000.0, 0.06253750000000001),
     )
     xp = call.xp
-    (s, theta_dot_ref, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, m_t, S_t_xi,
-        S_t_eta, rho, q_pump, band_on, band_off) = call.values
-    m_all = (M + (rho * ((A_1 * h_10) + (A_2 * h_20)))) + m_t
-    t1 = M * l
+    (theta, s, M, l, lam, A_1, A_2, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t, m_t, S_t_xi,
+        S_t_eta, rho, g, mu, r_f, omega_s) = call.values
+    t1 = s / A_1
+    h_1 = h_10 + t1
+    m_1 = (rho * A_1) * h_1
+    t2 = s / A_2
+    h_2 = h_20 - t2
+    m_2 = (rho * A_2) * h_2
+    t3 = M * l
     cos_lam = xp.cos(lam)
+    S_x = (((t3 * cos_lam) + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi
+    sin_lam = xp.sin(lam)
+    t4 = ((t3 * sin_lam) + (m_1 * (y_1 + (0.5 * h_1)))) + (m_2 * (y_2 + (0.5 * h_2)))
+    S_y = t4 + S_t_eta
+    cos_theta = xp.cos(theta)
+    sin_theta = xp.sin(theta)
+    needed = g * ((S_x * cos_theta) - (S_y * sin_theta))
+    arm = 0.5 * (mu * r_f)
+    m_all = (M + (rho * ((A_1 * h_10) + (A_2 * h_20)))) + m_t
+    t5 = m_all * g
+    F_held_x = t5 * sin_theta
+    F_held_y = t5 * cos_theta
+    t6 = xp.sqrt((F_held_x * F_held_x) + (F_held_y * F_held_y))
+    M_most = arm * t6
+    t7 = (-needed) < M_most
+    t8 = needed < M_most
+    t9 = xp.logical_and(t7, t8)
+    slips = xp.logical_not(t9)
+    t10 = call.select(slips, 0.0, (-needed))
+    t11 = call.select(slips, 1.0, ((M_most - t10) * (M_most + t10)))
+    t12 = xp.sqrt(t11)
+    creep = (omega_s * t10) / t12
+    t13 = h_1 < 0.0
+    t14 = xp.logical_not(t13)
+    t15 = h_2 < 0.0
+    t16 = xp.logical_not(t15)
+    t17 = xp.logical_and(t14, t16)
+    t18 = h_max < h_1
+    t19 = xp.logical_not(t18)
+    t20 = xp.logical_and(t17, t19)
+    t21 = h_max < h_2
+    t22 = xp.logical_not(t21)
+    t23 = xp.logical_and(t20, t22)
+    spilt = xp.logical_not(t23)
+    m_fit = (rho * a_t) * L_t
+    t24 = 0.001 * m_fit
+    t25 = m_t - m_fit
+    t26 = t24 < t25
+    t27 = xp.logical_not(t26)
+    t28 = t24 < (-t25)
+    t29 = xp.logical_not(t28)
+    t30 = xp.logical_and(t27, t29)
+    misfit = xp.logical_not(t30)
+    t31 = 0.0 < h_1
+    t32 = 0.0 < h_2
+    t33 = xp.logical_and(t31, t32)
+    dry = xp.logical_not(t33)
+    call.case(5, dry)  # LIMIT
+    call.case(-3, spilt)  # UNREACHABLE
+    call.case(-3, misfit)  # UNREACHABLE
+    call.case(-3, slips)  # UNREACHABLE
+    return CreepResult(
+        omega=call.array((), (creep,)),
+        status=call.status,
+    )
+
+
+class ReactionsOffResult(NamedTuple):
+    """Results of `reactions_off`."""
+
+    F_A: Any
+    F_B: Any
+    F_z: Any
+    M_O: Any
+    status: Any
+
+
+def reactions_off(*, theta, omega, alpha, s, q, q_dot, z_1, z_2, S_z, D_xi, D_eta, G_xi, G_eta, M,
+    l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t, m_t, S_t_xi,
+    S_t_eta, I_t, Gamma_t, rho, g, r_A, r_B, mu=None, r_f=None, omega_s=None, q_pump=None,
+    band_on=None, band_off=None, lag=None, gcr=None, cross_axis_tilt=None, rotation_min=None,
+    rotation_max=None):
+    """Forces of the bearings without symmetry, at an acceleration; the force along the axis and
+    the moment about O, frame of the trough.
+
+    238 flops (143 mul, 92 add, 3 div, 0 sqrt), 4 sin/cos, 0 atan2
+
+    Args:
+        theta: turn of the trough about the axis; filling container 1 turns it on, rad
+        omega: angular velocity of the trough, rad/s
+        alpha: angular acceleration of the trough, rad/s^2
+        s: volume moved from container 2 to 1, m^3
+        q: flow from container 2 to 1, m^3/s
+        q_dot: rate of the flow, m^3/s^2
+        z_1: place of container 1 along the axis, m
+        z_2: place of container 2 along the axis, m
+        S_z: first moment along z of all but the containers' water, m*kg
+        D_xi: product of inertia of xi and z of all but the containers' water, m^2*kg
+        D_eta: the same of eta and z, m^2*kg
+        G_xi: integral of eta d(z) - z d(eta) along the tube from container 2 to 1, m^2
+        G_eta: integral of z d(xi) - xi d(z) along it, m^2
+        M: mass of the concentrator, without water, kg
+        l: distance of the concentrator's centre of mass from the axis, m
+        lam: direction of that centre of mass, from xi towards eta: -pi/2 is below the axis, rad
+        I_zz: moment of inertia of the concentrator about the axis, m^2*kg
+        A_1: floor area of container 1, m^2
+        A_2: floor area of container 2, m^2
+        w: width of either container across the axis, m
+        x_1: centre of container 1's floor, along xi, m
+        y_1: centre of container 1's floor, along eta, m
+        x_2: centre of container 2's floor, along xi, m
+        y_2: centre of container 2's floor, along eta, m
+        h_10: level in container 1 before any water is moved, m
+        h_20: level in container 2 before any water is moved, m
+        h_max: height of either container, m
+        a_t: cross-section of the tube, m^2
+        L_t: length of the tube, m
+        m_t: mass of the water in the tube, kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
+        I_t: second moment of the water in the tube about the axis, m^2*kg
+        Gamma_t: twice the area that the tube sweeps about the axis on its way from container 2 to
+            1: the integral of xi d(eta) - eta d(xi), m^2
+        rho: density of the water, kg/m^3
+        g: acceleration of free fall, m/s^2
+        r_A: distance of bearing A from O along the axis, m
+        r_B: distance of bearing B from O along the axis, m
+        mu, r_f, omega_s, q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min,
+            rotation_max: accepted and not read
+
+    Returns:
+        F_A: force of bearing A on the trough without symmetry, level and upward, N, shape (...,
+            2)
+        F_B: force of bearing B on the trough without symmetry, level and upward, N, shape (...,
+            2)
+        F_z: force along the axis that must act from outside, N
+        M_O: moment about O that must act from outside, besides the weight, N*m, shape (..., 3)
+        status -3 (UNREACHABLE): a container would overflow, or hold less than nothing
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
+        status 5 (LIMIT): a container is empty: its pump draws air
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
+    """
+    call = Call(
+        ("theta", theta, -1000.0, 1000.0, 0.4),
+        ("omega", omega, -1000.0, 1000.0, 0.25),
+        ("alpha", alpha, -1000000.0, 1000000.0, 0.25),
+        ("s", s, -1000.0, 1000.0, 0.00025),
+        ("q", q, -10.0, 10.0, 0.00025),
+        ("q_dot", q_dot, -1000.0, 1000.0, 0.0025),
+        ("z_1", z_1, -100000.0, 100000.0, 0.075),
+        ("z_2", z_2, -100000.0, 100000.0, 0.075),
+        ("S_z", S_z, -100000.0, 100000.0, 1.25),
+        ("D_xi", D_xi, -100000.0, 100000.0, 0.5),
+        ("D_eta", D_eta, -100000.0, 100000.0, 0.5),
+        ("G_xi", G_xi, -100000.0, 100000.0, 0.075),
+        ("G_eta", G_eta, -100000.0, 100000.0, 0.075),
+        ("M", M, 0.0, 100000.0, 126.875),
+        ("l", l, 0.0, 100.0, 0.1875),
+        ("lam", lam, -1000.0, 1000.0, -1.3875000000000002),
+        ("I_zz", I_zz, 0.0, 1000000.0, 32.0),
+        ("A_1", A_1, 0.0001, 100.0, 0.1325),
+        ("A_2", A_2, 0.0001, 100.0, 0.1325),
+        ("w", w, 0.0, 100.0, 0.20625),
+        ("x_1", x_1, -100.0, 100.0, -0.5625),
+        ("y_1", y_1, -100.0, 100.0, -0.04999999999999999),
+        ("x_2", x_2, -100.0, 100.0, 0.7375),
+        ("y_2", y_2, -100.0, 100.0, -0.04999999999999999),
+        ("h_10", h_10, 0.0, 10.0, 0.08125),
+        ("h_20", h_20, 0.0, 10.0, 0.08125),
+        ("h_max", h_max, 0.0, 10.0, 0.24375),
+        ("a_t", a_t, 1e-06, 1.0, 0.0006625),
+        ("L_t", L_t, 0.0, 100.0, 2.25),
+        ("m_t", m_t, 0.0, 100000.0, 1.9125),
+        ("S_t_xi", S_t_xi, -100000.0, 100000.0, 0.075),
+        ("S_t_eta", S_t_eta, -100000.0, 100000.0, 0.075),
+        ("I_t", I_t, 0.0, 1000000.0, 1.25),
+        ("Gamma_t", Gamma_t, -10000.0, 10000.0, 0.125),
+        ("rho", rho, 0.001, 20000.0, 1002.5),
+        ("g", g, 0.0, 1000.0, 6.25),
+        ("r_A", r_A, 0.001, 1000.0, 1.3625),
+        ("r_B", r_B, 0.001, 1000.0, 1.3625),
+    )
+    xp = call.xp
+    (theta, omega, alpha, s, q, q_dot, z_1, z_2, S_z, D_xi, D_eta, G_xi, G_eta, M, l, lam, I_zz,
+        A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t,
+        Gamma_t, rho, g, r_A, r_B) = call.values
+    t1 = 1.0 / (r_A + r_B)
     t2 = rho * A_1
     t3 = 1.0 / A_1
+    t4 = q_dot * t3
+    t5 = t2 * t4
+    t6 = rho * A_2
+    t7 = 1.0 / A_2
+    t8 = q_dot * t7
+    t9 = t6 * t8
     h_1 = h_10 + (s * t3)
+    t10 = y_1 + (0.5 * h_1)
+    t11 = q * t3
+    t12 = t2 * t11
+    t13 = 0.5 * t11
+    t14 = t12 * t13
     m_1 = t2 * h_1
-    t4 = rho * A_2
-    t5 = 1.0 / A_2
-    h_2 = h_20 - (s * t5)
-    m_2 = t4 * h_2
-    t6 = (((t1 * cos_lam) + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi
+    h_2 = h_20 - (s * t7)
+    t15 = y_2 + (0.5 * h_2)
+    t16 = q * t7
+    t17 = t6 * t16
+    t18 = 0.5 * t16
+    t19 = t17 * t18
+    m_2 = t6 * h_2
+    t20 = (t19 - (t9 * t15)) + (t19 - (m_2 * (0.5 * t8)))
+    t21 = (((t5 * t10) + t14) + (t14 + (m_1 * (0.5 * t4)))) + t20
+    t22 = 2.0 * omega
+    t23 = t12 * x_1
+    t24 = t17 * x_2
+    S_dot_x = t23 - t24
+    t25 = (t12 * t10) + (m_1 * t13)
+    t26 = (t17 * t15) + (m_2 * t18)
+    S_dot_y = t25 - t26
+    t27 = ((t5 * x_1) - (t9 * x_2)) - (t22 * S_dot_y)
+    t28 = omega * omega
+    t29 = M * l
+    cos_lam = xp.cos(lam)
+    t30 = m_1 * x_1
+    t31 = m_2 * x_2
+    S_x = (((t29 * cos_lam) + t30) + t31) + S_t_xi
     sin_lam = xp.sin(lam)
-    t7 = y_1 + (0.5 * h_1)
-    t8 = y_2 + (0.5 * h_2)
-    t9 = (((t1 * sin_lam) + (m_1 * t7)) + (m_2 * t8)) + S_t_eta
-    reach = xp.sqrt((t6 * t6) + (t9 * t9))
-    t10 = (1.0e-6 * m_all) < reach
-    indifferent = xp.logical_not(t10)
-    t11 = call.select(indifferent, (-1.0), t9)
-    t12 = t2 * t3
-    t13 = t4 * t5
-    t14 = call.select(indifferent, 0.0, t6)
-    t15 = ((t12 * t7) + (m_1 * (0.5 * t3))) - ((t13 * t8) + (m_2 * (0.5 * t5)))
-    t16 = (t11 * ((t12 * x_1) - (t13 * x_2))) - (t14 * t15)
-    t17 = t16 / ((t14 * t14) + (t11 * t11))
-    gain = call.select(indifferent, 0.0, t17)
-    t18 = xp.abs(theta_dot_ref)
-    t19 = (xp.abs(gain) * q_pump) - t18
-    t20 = 1.0e-12 < t19
-    outrun = xp.logical_not(t20)
-    t21 = 1.0e-12 < t18
-    t22 = xp.logical_and(t20, t21)
-    no_cycle = xp.logical_not(t22)
-    t23 = band_off < band_on
-    swept = call.select(t23, (band_on - band_off), 0.0)
-    t24 = call.select(no_cycle, 1.0, t19)
-    t25 = swept / t24
-    t_on = call.select(no_cycle, 0.0, t25)
-    t26 = call.select(no_cycle, 1.0, t18)
-    t27 = swept / t26
-    t28 = call.select(no_cycle, 0.0, t27)
-    t_cycle = t28 + t_on
-    t29 = h_1 < 0.0
-    t30 = xp.logical_not(t29)
-    t31 = h_2 < 0.0
-    t32 = xp.logical_not(t31)
-    t33 = xp.logical_and(t30, t32)
-    t34 = h_max < h_1
-    t35 = xp.logical_not(t34)
-    t36 = xp.logical_and(t33, t35)
-    t37 = h_max < h_2
-    t38 = xp.logical_not(t37)
-    t39 = xp.logical_and(t36, t38)
-    spilt = xp.logical_not(t39)
-    t40 = 0.0 < h_1
-    t41 = 0.0 < h_2
-    t42 = xp.logical_and(t40, t41)
-    dry = xp.logical_not(t42)
+    t32 = m_1 * t10
+    t33 = m_2 * t15
+    S_y = (((t29 * sin_lam) + t32) + t33) + S_t_eta
+    m_all = (M + (rho * ((A_1 * h_10) + (A_2 * h_20)))) + m_t
+    t34 = m_all * g
+    sin_theta = xp.sin(theta)
+    cos_theta = xp.cos(theta)
+    F_held_x = (t27 - (t28 * S_x)) + (t34 * sin_theta)
+    F_held_y = ((t21 + (t22 * S_dot_x)) - (t28 * S_y)) + (t34 * cos_theta)
+    F_all_x = F_held_x - (alpha * S_y)
+    F_all_y = F_held_y + (alpha * S_x)
+    I_xz = (D_xi + (t30 * z_1)) + (t31 * z_2)
+    I_yz = (D_eta + (t32 * z_1)) + (t33 * z_2)
+    t35 = 0.08333333333333333 * (w * w)
+    t36 = ((((x_1 * x_1) + t35) + (y_1 * y_1)) + (y_1 * h_1)) + (0.3333333333333333 * (h_1 * h_1))
+    t37 = ((((x_2 * x_2) + t35) + (y_2 * y_2)) + (y_2 * h_2)) + (0.3333333333333333 * (h_2 * h_2))
+    inertia = ((I_zz + (m_1 * t36)) + (m_2 * t37)) + I_t
+    t38 = t11 * h_1
+    t39 = (t12 * t36) + (m_1 * ((y_1 * t11) + (0.3333333333333333 * (t38 + t38))))
+    t40 = t16 * h_2
+    t41 = (t17 * t37) + (m_2 * ((y_2 * t16) + (0.3333333333333333 * (t40 + t40))))
+    t42 = (alpha * I_xz) + (omega * ((t23 * z_1) - (t24 * z_2)))
+    t43 = (alpha * I_yz) + (omega * ((t25 * z_1) - (t26 * z_2)))
+    t44 = rho * q_dot
+    t45 = (G_xi - (z_1 * h_1)) + (z_2 * h_2)
+    Gamma = ((x_1 * h_1) - (x_2 * h_2)) + Gamma_t
+    t46 = rho * q
+    t47 = (t44 * t45) - (t46 * ((z_1 * t11) + (z_2 * t16)))
+    t48 = (
+        ((alpha * inertia) + (omega * (t39 - t41))) + ((t44 * Gamma) + (t46 * ((x_1 * t11) + (x_2
+        * t16))))
+    )
+    flowing_x = t46 * t45
+    flowing_y = t46 * G_eta
+    t49 = (t47 - t42) - (omega * (flowing_y - (omega * I_yz)))
+    t50 = ((t44 * G_eta) - t43) + (omega * (flowing_x - (omega * I_xz)))
+    S_all_z = (S_z + (m_1 * z_1)) + (m_2 * z_2)
+    t51 = g * sin_theta
+    t52 = g * cos_theta
+    M_O_x = t49 - (S_all_z * t52)
+    M_O_y = t50 + (S_all_z * t51)
+    M_O_z = t48 + ((S_x * t52) - (S_y * t51))
+    t53 = t1 * ((r_B * F_all_x) + M_O_y)
+    t54 = t1 * ((r_B * F_all_y) - M_O_x)
+    F_A_off_11 = (cos_theta * t53) - (sin_theta * t54)
+    F_A_off_12 = (sin_theta * t53) + (cos_theta * t54)
+    t55 = t1 * ((r_A * F_all_x) - M_O_y)
+    t56 = t1 * ((r_A * F_all_y) + M_O_x)
+    F_B_off_11 = (cos_theta * t55) - (sin_theta * t56)
+    F_B_off_12 = (sin_theta * t55) + (cos_theta * t56)
+    F_z = (t5 * z_1) - (t9 * z_2)
+    t57 = h_1 < 0.0
+    t58 = xp.logical_not(t57)
+    t59 = h_2 < 0.0
+    t60 = xp.logical_not(t59)
+    t61 = xp.logical_and(t58, t60)
+    t62 = h_max < h_1
+    t63 = xp.logical_not(t62)
+    t64 = xp.logical_and(t61, t63)
+    t65 = h_max < h_2
+    t66 = xp.logical_not(t65)
+    t67 = xp.logical_and(t64, t66)
+    spilt = xp.logical_not(t67)
+    m_fit = (rho * a_t) * L_t
+    t68 = 0.001 * m_fit
+    t69 = m_t - m_fit
+    t70 = t68 < t69
+    t71 = xp.logical_not(t70)
+    t72 = t68 < (-t69)
+    t73 = xp.logical_not(t72)
+    t74 = xp.logical_and(t71, t73)
+    misfit = xp.logical_not(t74)
+    t75 = 0.0 < h_1
+    t76 = 0.0 < h_2
+    t77 = xp.logical_and(t75, t76)
+    dry = xp.logical_not(t77)
+    call.case(5, dry)  # LIMIT
+    call.case(-3, spilt)  # UNREACHABLE
+    call.case(-3, misfit)  # UNREACHABLE
+    return ReactionsOffResult(
+        F_A=call.array((2,), (F_A_off_11, F_A_off_12)),
+        F_B=call.array((2,), (F_B_off_11, F_B_off_12)),
+        F_z=call.array((), (F_z,)),
+        M_O=call.array((3,), (M_O_x, M_O_y, M_O_z)),
+        status=call.status,
+    )
+
+
+class TubePartResult(NamedTuple):
+    """Results of `tube_part`."""
+
+    L_part: Any
+    m_part: Any
+    S_xi_part: Any
+    S_eta_part: Any
+    I_part: Any
+    Gamma_part: Any
+    status: Any
+
+
+def tube_part(*, xi_a, eta_a, xi_b, eta_b, a_t, rho, M=None, l=None, lam=None, I_zz=None,
+    A_1=None, A_2=None, w=None, x_1=None, y_1=None, x_2=None, y_2=None, h_10=None, h_20=None,
+    h_max=None, L_t=None, m_t=None, S_t_xi=None, S_t_eta=None, I_t=None, Gamma_t=None, g=None,
+    mu=None, r_f=None, r_A=None, r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None,
+    lag=None, gcr=None, cross_axis_tilt=None, rotation_min=None, rotation_max=None):
+    """Length, mass and moments of a straight part of the tube; those of the parts add up.
+
+    28 flops (17 mul, 10 add, 0 div, 1 sqrt), 0 sin/cos, 0 atan2
+
+    Args:
+        xi_a: where a straight part of the tube begins, along xi, m
+        eta_a: where it begins, along eta, m
+        xi_b: where it ends, on the way to container 1, along xi, m
+        eta_b: where it ends, along eta, m
+        a_t: cross-section of the tube, m^2
+        rho: density of the water, kg/m^3
+        M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max, L_t, m_t, S_t_xi,
+            S_t_eta, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag,
+            gcr, cross_axis_tilt, rotation_min, rotation_max: accepted and not read
+
+    Returns:
+        L_part: length of a straight part of the tube, m
+        m_part: mass of its water, kg
+        S_xi_part: first moment of its water along xi, m*kg
+        S_eta_part: first moment of its water along eta, m*kg
+        I_part: second moment of its water about the axis, m^2*kg
+        Gamma_part: twice the area that it sweeps about the axis, m^2
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
+    """
+    call = Call(
+        ("xi_a", xi_a, -100.0, 100.0, 0.625),
+        ("eta_a", eta_a, -100.0, 100.0, -0.125),
+        ("xi_b", xi_b, -100.0, 100.0, -0.375),
+        ("eta_b", eta_b, -100.0, 100.0, -0.125),
+        ("a_t", a_t, 1e-06, 1.0, 0.0006625),
+        ("rho", rho, 0.001, 20000.0, 1002.5),
+    )
+    xp = call.xp
+    (xi_a, eta_a, xi_b, eta_b, a_t, rho) = call.values
+    t1 = xi_b - xi_a
+    t2 = eta_b - eta_a
+    L_part = xp.sqrt((t1 * t1) + (t2 * t2))
+    m_part = (rho * a_t) * L_part
+    t3 = xi_a + xi_b
+    S_xi_part = 0.5 * (m_part * t3)
+    S_eta_part = 0.5 * (m_part * (eta_a + eta_b))
+    t4 = (((xi_a * t3) + (xi_b * xi_b)) + (eta_a * eta_a)) + (eta_a * eta_b)
+    I_part = 0.3333333333333333 * (m_part * (t4 + (eta_b * eta_b)))
+    Gamma_part = (xi_a * eta_b) - (eta_a * xi_b)
+    return TubePartResult(
+        L_part=call.array((), (L_part,)),
+        m_part=call.array((), (m_part,)),
+        S_xi_part=call.array((), (S_xi_part,)),
+        S_eta_part=call.array((), (S_eta_part,)),
+        I_part=call.array((), (I_part,)),
+        Gamma_part=call.array((), (Gamma_part,)),
+        status=call.status,
+    )
+
+
+class CycleResult(NamedTuple):
+    """Results of `cycle`."""
+
+    t_on: Any
+    t_cycle: Any
+    travel: Any
+    error_rest: Any
+    status: Any
+
+
+def cycle(*, s, theta_dot_ref, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20,
+    h_max, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, q_pump, band_on,
+    band_off, lag, r_A=None, r_B=None, omega_s=None, gcr=None, cross_axis_tilt=None,
+    rotation_min=None, rotation_max=None):
+    """The steady cycle of an on-off pump: time for which it runs, period, turn of the trough, and
+    the error at which the trough comes to rest.
+
+    530 flops (209 mul, 260 add, 40 div, 21 sqrt), 66 sin/cos, 4 atan2
+
+    Args:
+        s: volume moved from container 2 to 1, m^3
+        theta_dot_ref: rate at which the trough is to turn, rad/s
+        M: mass of the concentrator, without water, kg
+        l: distance of the concentrator's centre of mass from the axis, m
+        lam: direction of that centre of mass, from xi towards eta: -pi/2 is below the axis, rad
+        I_zz: moment of inertia of the concentrator about the axis, m^2*kg
+        A_1: floor area of container 1, m^2
+        A_2: floor area of container 2, m^2
+        w: width of either container across the axis, m
+        x_1: centre of container 1's floor, along xi, m
+        y_1: centre of container 1's floor, along eta, m
+        x_2: centre of container 2's floor, along xi, m
+        y_2: centre of container 2's floor, along eta, m
+        h_10: level in container 1 before any water is moved, m
+        h_20: level in container 2 before any water is moved, m
+        h_max: height of either container, m
+        a_t: cross-section of the tube, m^2
+        L_t: length of the tube, m
+        m_t: mass of the water in the tube, kg
+        S_t_xi: first moment S_t of the water in the tube: its component along xi, given by
+            itself, m*kg
+        S_t_eta: the same along eta, m*kg
+        I_t: second moment of the water in the tube about the axis, m^2*kg
+        Gamma_t: twice the area that the tube sweeps about the axis on its way from container 2 to
+            1: the integral of xi d(eta) - eta d(xi), m^2
+        rho: density of the water, kg/m^3
+        g: acceleration of free fall, m/s^2
+        mu: friction coefficient of the bearings
+        r_f: diameter of the bearings, m
+        q_pump: flow of the pump when it runs, m^3/s
+        band_on: error of the angle at which the pump starts, rad
+        band_off: error of the angle, in the sense of the motion, at which the pump stops;
+            negative lets it run ahead of the sun, rad
+        lag: time from where the error asks for a change of the flow to the middle of that change:
+            half of a sampling period and half of a ramp, s
+        r_A, r_B, omega_s, gcr, cross_axis_tilt, rotation_min, rotation_max: accepted and not read
+
+    Returns:
+        t_on: time for which the pump runs in a cycle, from the middle of one change of the flow
+            to that of the other, s
+        t_cycle: period of the cycle of an on-off pump, s
+        travel: turn of the trough in a cycle, rad
+        error_rest: error of the angle, in the sense of the motion, when the trough comes to rest,
+            rad
+        status -3 (UNREACHABLE): a container would overflow, or hold less than nothing
+        status -3 (UNREACHABLE): mass, length and cross-section of the tube contradict each other
+        status 5 (LIMIT): a container is empty: its pump draws air
+        status 2 (SINGULAR): the mass centre lies on the axis, within 1e-6 m: any angle is a rest
+        status -3 (UNREACHABLE): the errors at which the pump starts and stops contradict
+        status -3 (UNREACHABLE): the trough does not swing: no weight, or too much friction
+        status -3 (UNREACHABLE): the sun outruns the pump, or water turns the other way
+        status -3 (UNREACHABLE): friction does not hold the trough where it coasts to
+        status -3 (UNREACHABLE): the trough coasts past the sun and starts the other pump
+        status -4 (NOT_CONVERGED): no cycle was found
+        status 2 (SINGULAR): a sun that stands still starts no pump
+        status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
+    """
+    call = Call(
+        ("s", s, -1000.0, 1000.0, 0.00025),
+        ("theta_dot_ref", theta_dot_ref, -1000.0, 1000.0, 0.0025),
+        ("M", M, 0.0, 100000.0, 126.875),
+        ("l", l, 0.0, 100.0, 0.1875),
+        ("lam", lam, -1000.0, 1000.0, -1.3875000000000002),
+        ("I_zz", I_zz, 0.0, 1000000.0, 32.0),
+        ("A_1", A_1, 0.0001, 100.0, 0.1325),
+        ("A_2", A_2, 0.0001, 100.0, 0.1325),
+        ("w", w, 0.0, 100.0, 0.20625),
+        ("x_1", x_1, -100.0, 100.0, -0.5625),
+        ("y_1", y_1, -100.0, 100.0, -0.04999999999999999),
+        ("x_2", x_2, -100.0, 100.0, 0.7375),
+        ("y_2", y_2, -100.0, 100.0, -0.04999999999999999),
+        ("h_10", h_10, 0.0, 10.0, 0.08125),
+        ("h_20", h_20, 0.0, 10.0, 0.08125),
+        ("h_max", h_max, 0.0, 10.0, 0.24375),
+        ("a_t", a_t, 1e-06, 1.0, 0.0006625),
+        ("L_t", L_t, 0.0, 100.0, 2.25),
+        ("m_t", m_t, 0.0, 100000.0, 1.9125),
+        ("S_t_xi", S_t_xi, -100000.0, 100000.0, 0.075),
+        ("S_t_eta", S_t_eta, -100000.0, 100000.0, 0.075),
+        ("I_t", I_t, 0.0, 1000000.0, 1.25),
+        ("Gamma_t", Gamma_t, -10000.0, 10000.0, 0.125),
+        ("rho", rho, 0.001, 20000.0, 1002.5),
+        ("g", g, 0.0, 1000.0, 6.25),
+        ("mu", mu, 0.0, 10.0, 0.1875),
+        ("r_f", r_f, 0.0, 100.0, 0.04125),
+        ("q_pump", q_pump, 0.0, 1000.0, 1.325e-05),
+        ("band_on", band_on, 0.0, 10.0, 0.031625),
+        ("band_off", band_off, -10.0, 10.0, -0.018750000000000003),
+        ("lag", lag, 0.0, 1000.0, 0.625),
+    )
+    xp = call.xp
+    (s, theta_dot_ref, M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t,
+        L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, q_pump, band_on, band_off,
+        lag) = call.values
+    t1 = theta_dot_ref < 0.0
+    t2 = call.select(t1, (-theta_dot_ref), theta_dot_ref)
+    m_all = (M + (rho * ((A_1 * h_10) + (A_2 * h_20)))) + m_t
+    t3 = M * l
+    cos_lam = xp.cos(lam)
+    t4 = rho * A_1
+    t5 = 1.0 / A_1
+    h_1 = h_10 + (s * t5)
+    m_1 = t4 * h_1
+    t6 = rho * A_2
+    t7 = 1.0 / A_2
+    h_2 = h_20 - (s * t7)
+    m_2 = t6 * h_2
+    t8 = (((t3 * cos_lam) + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi
+    sin_lam = xp.sin(lam)
+    t9 = y_1 + (0.5 * h_1)
+    t10 = y_2 + (0.5 * h_2)
+    t11 = (((t3 * sin_lam) + (m_1 * t9)) + (m_2 * t10)) + S_t_eta
+    reach = xp.sqrt((t8 * t8) + (t11 * t11))
+    t12 = (1.0e-6 * m_all) < reach
+    indifferent = xp.logical_not(t12)
+    t13 = call.select(indifferent, (-1.0), t11)
+    t14 = t4 * t5
+    t15 = t6 * t7
+    t16 = (t14 * x_1) - (t15 * x_2)
+    t17 = call.select(indifferent, 0.0, t8)
+    t18 = ((t14 * t9) + (m_1 * (0.5 * t5))) - ((t15 * t10) + (m_2 * (0.5 * t7)))
+    t19 = ((t13 * t16) - (t17 * t18)) / ((t17 * t17) + (t13 * t13))
+    gain = call.select(indifferent, 0.0, t19)
+    t20 = call.select(t1, (-1.0), 1.0)
+    arm = 0.5 * (mu * r_f)
+    t21 = arm * m_all
+    t22 = 0.08333333333333333 * (w * w)
+    t23 = ((((x_1 * x_1) + t22) + (y_1 * y_1)) + (y_1 * h_1)) + (0.3333333333333333 * (h_1 * h_1))
+    t24 = ((((x_2 * x_2) + t22) + (y_2 * y_2)) + (y_2 * h_2)) + (0.3333333333333333 * (h_2 * h_2))
+    inertia = ((I_zz + (m_1 * t23)) + (m_2 * t24)) + I_t
+    stiffness = g * reach
+    t25 = (1.0e-12 * inertia) < stiffness
+    t26 = xp.logical_and(t12, t25)
+    t27 = 1.0e-9 < inertia
+    inertialess = xp.logical_not(t27)
+    t28 = xp.logical_and(t26, t27)
+    t29 = reach * reach
+    t30 = 1.0e-18 < t29
+    t31 = xp.logical_and(t28, t30)
+    t32 = t21 * t21
+    t33 = t29 - t32
+    t34 = (0.0001 * t29) < t33
+    t35 = xp.logical_and(t31, t34)
+    gripped = xp.logical_not(t35)
+    t36 = call.select(gripped, 1.0, t33)
+    firm = xp.sqrt(t36)
+    t37 = t21 / firm
+    t38 = ((t20 * t37) * ((t8 * t16) + (t11 * t18))) / ((firm * firm) + t32)
+    edge_gain = gain + t38
+    t39 = edge_gain * q_pump
+    t40 = 1.0e-12 < t39
+    pace = call.select(t40, t39, 1.0)
+    t41 = 1.0 / pace
+    t42 = t2 * t41
+    t43 = t42 < 0.999
+    slow = call.select(t43, t42, 0.5)
+    t44 = call.select(gripped, 1.0, inertia)
+    t45 = (g * firm) / t44
+    t46 = call.select(gripped, 1.0, t45)
+    edge_swing = xp.sqrt(t46)
+    delay = edge_swing * lag
+    Gamma = ((x_1 * h_1) - (x_2 * h_2)) + Gamma_t
+    t47 = call.select(inertialess, 1.0, inertia)
+    t48 = (rho * Gamma) / t47
+    kick = call.select(inertialess, 0.0, t48)
+    recoil = (kick * q_pump) * t41
+    t49 = band_off < band_on
+    swept = call.select(t49, (band_on - band_off), 0.0)
+    to_sweep = ((edge_swing * swept) * t41) + (slow * delay)
+    t50 = 1.0 / edge_swing
+    t51 = xp.abs(theta_dot_ref)
+    t52 = 1.0e-12 < t51
+    no_cycle = xp.logical_not(t52)
+    t53 = h_1 < 0.0
+    t54 = xp.logical_not(t53)
+    t55 = h_2 < 0.0
+    t56 = xp.logical_not(t55)
+    t57 = xp.logical_and(t54, t56)
+    t58 = h_max < h_1
+    t59 = xp.logical_not(t58)
+    t60 = xp.logical_and(t57, t59)
+    t61 = h_max < h_2
+    t62 = xp.logical_not(t61)
+    t63 = xp.logical_and(t60, t62)
+    spilt = xp.logical_not(t63)
+    m_fit = (rho * a_t) * L_t
+    t64 = 0.001 * m_fit
+    t65 = m_t - m_fit
+    t66 = t64 < t65
+    t67 = xp.logical_not(t66)
+    t68 = t64 < (-t65)
+    t69 = xp.logical_not(t68)
+    t70 = xp.logical_and(t67, t69)
+    misfit = xp.logical_not(t70)
+    t71 = 0.0 < h_1
+    t72 = 0.0 < h_2
+    t73 = xp.logical_and(t71, t72)
+    dry = xp.logical_not(t73)
+    unfit = band_on < xp.abs(band_off)
+    t74 = t51 < (0.999 * t39)
+    t75 = xp.logical_and(t40, t74)
+    outrun = xp.logical_not(t75)
+    t76 = 0.0 < g
+    t77 = xp.logical_and(t12, t76)
+    t78 = t21 < reach
+    t79 = xp.logical_and(t77, t78)
+    held_everywhere = xp.logical_not(t79)
+    t80 = call.select(indifferent, 1.0, reach)
+    t81 = t21 / t80
+    t82 = call.select(held_everywhere, 0.0, t81)
+    t83 = xp.sqrt((1.0 - t82) * (1.0 + t82))
+    t84 = xp.atan2(t82, t83)
+    half_width = call.select(held_everywhere, 3.141592653589793, t84)
+    r_k = slow
+    for take_r_k in range(1):
+        t85 = r_k - (r_k - slow)
+        r_k = t85
+    t86 = 1.0 - r_k
+    t87 = 1.0 - (2.0 * r_k)
+    t88 = xp.sqrt((1.0 - t87) * (1.0 + t87))
+    t89 = xp.atan2(t88, t87)
+    t90 = xp.sin(t89)
+    t91 = call.select(no_cycle, 1.0, r_k)
+    delta_k = delay
+    for take_delta_k in range(1):
+        t92 = delta_k - (delta_k - delay)
+        delta_k = t92
+    t93 = delta_k - t89
+    t94 = xp.sin(t93)
+    t95 = xp.cos(t93)
+    chi_k = recoil
+    for take_chi_k in range(1):
+        t96 = chi_k - (chi_k - recoil)
+        chi_k = t96
+    t97 = 1.0 + chi_k
+    t98 = t97 - t95
+    t99 = xp.sqrt(((t94 * t94) + (t98 * t98)) + 1.0e-12)
+    epsilon_k = to_sweep
+    for take_epsilon_k in range(1):
+        t100 = epsilon_k - (epsilon_k - to_sweep)
+        epsilon_k = t100
+    t101 = (((epsilon_k + (r_k * t99)) + (t86 * t89)) - t90) / t86
+    t102 = t101 - 3.141592653589793
+    t103 = 0.0 < t102
+    t104 = xp.sin(t102)
+    t105 = xp.cos(t102)
+    t106 = xp.atan2(t104, t105)
+    whole_swings = call.select(t103, (t102 - t106), 0.0)
+    t107 = epsilon_k - (t86 * whole_swings)
+    psi = call.spread(3.141592653589793)
+    for slip in range(14):
+        t108 = xp.sin(psi)
+        t109 = psi + delta_k
+        t110 = xp.sin(t109)
+        t111 = xp.cos(t109)
+        t112 = t97 - t111
+        t113 = xp.sqrt(((t110 * t110) + (t112 * t112)) + 1.0e-12)
+        t114 = ((t86 * psi) - t108) - (r_k * t113)
+        missing = t114 - t107
+        t115 = xp.cos(psi)
+        t116 = t111 * t110
+        t117 = t110 * t112
+        t118 = ((t116 + t116) + (t117 + t117)) / (2.0 * t113)
+        t119 = (t86 - t115) - (r_k * t118)
+        t120 = 0.0 < xp.abs(t119)
+        t121 = call.select(t120, t119, 1.0)
+        t122 = missing / t121
+        t123 = psi - t122
+        t124 = t123 < 0.0
+        t125 = 6.283185307179586 < t123
+        t126 = call.select(t125, 6.283185307179586, t123)
+        t127 = call.select(t124, 0.0, t126)
+        psi = t127
+    phase = psi + delta_k
+    t128 = xp.sin(phase)
+    t129 = xp.cos(phase)
+    t130 = t97 - t129
+    coast = xp.sqrt(((t128 * t128) + (t130 * t130)) + 1.0e-12)
+    t_on = ((coast + phase) + whole_swings) * t50
+    t_cycle = t_on / t91
+    travel = pace * t_on
+    t131 = 0.00001 < coast
+    t132 = xp.logical_not(t131)
+    t133 = t130 < 0.0
+    t134 = call.select(t133, 0.0, t130)
+    t135 = call.select(t132, 0.0, t134)
+    t136 = call.select(t132, 1.0, (-t128))
+    t137 = xp.atan2(t135, t136)
+    error_rest = (band_on + (t51 * ((lag + t_on) + (t137 * t50)))) - travel
+    swings_back = (2.0 * half_width) < (coast * (pace * t50))
+    hunts = error_rest < (-band_on)
+    t138 = xp.sin(psi)
+    missing_value = (((t86 * psi) - t138) - (r_k * coast)) - t107
+    t139 = xp.abs(missing_value) < 0.0001
+    unfound = xp.logical_not(t139)
     call.case(2, indifferent)  # SINGULAR
     call.case(2, no_cycle)  # SINGULAR
     call.case(5, dry)  # LIMIT
+    call.case(-4, unfound)  # NOT_CONVERGED
     call.case(-3, spilt)  # UNREACHABLE
+    call.case(-3, misfit)  # UNREACHABLE
+    call.case(-3, unfit)  # UNREACHABLE
+    call.case(-3, gripped)  # UNREACHABLE
     call.case(-3, outrun)  # UNREACHABLE
+    call.case(-3, swings_back)  # UNREACHABLE
+    call.case(-3, hunts)  # UNREACHABLE
     return CycleResult(
         t_on=call.array((), (t_on,)),
         t_cycle=call.array((), (t_cycle,)),
+        travel=call.array((), (travel,)),
+        error_rest=call.array((), (error_rest,)),
         status=call.status,
     )
 
@@ -2439,7 +4245,7 @@ def pump_control_init(*, M=None, l=None, lam=None, I_zz=None, A_1=None, A_2=None
     x_1=None, y_1=None, x_2=None, y_2=None, h_10=None, h_20=None, h_max=None, a_t=None, L_t=None,
     m_t=None, S_t_xi=None, S_t_eta=None, I_t=None, Gamma_t=None, rho=None, g=None, mu=None,
     r_f=None, r_A=None, r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None,
-    gcr=None, cross_axis_tilt=None, rotation_min=None, rotation_max=None):
+    lag=None, gcr=None, cross_axis_tilt=None, rotation_min=None, rotation_max=None):
     """An on-off pump with a dead band, and guards of the levels: the states before the first
     update.
 
@@ -2465,57 +4271,52 @@ class PumpControlUpdateResult(NamedTuple):
     status: Any
 
 
-def pump_control_update(*, pump, theta_ref, theta_measured, s, A_1, A_2, h_10, h_20, h_max,
-    q_pump, band_on, band_off, M=None, l=None, lam=None, I_zz=None, w=None, x_1=None, y_1=None,
-    x_2=None, y_2=None, a_t=None, L_t=None, m_t=None, S_t_xi=None, S_t_eta=None, I_t=None,
-    Gamma_t=None, rho=None, g=None, mu=None, r_f=None, r_A=None, r_B=None, omega_s=None, gcr=None,
-    cross_axis_tilt=None, rotation_min=None, rotation_max=None):
+def pump_control_update(*, pump, theta_ref, theta_measured, level_1, level_2, h_max, q_pump,
+    band_on, band_off, M=None, l=None, lam=None, I_zz=None, A_1=None, A_2=None, w=None, x_1=None,
+    y_1=None, x_2=None, y_2=None, h_10=None, h_20=None, a_t=None, L_t=None, m_t=None, S_t_xi=None,
+    S_t_eta=None, I_t=None, Gamma_t=None, rho=None, g=None, mu=None, r_f=None, r_A=None, r_B=None,
+    omega_s=None, lag=None, gcr=None, cross_axis_tilt=None, rotation_min=None, rotation_max=None):
     """An on-off pump with a dead band, and guards of the levels.
 
-    7 flops (2 mul, 3 add, 2 div, 0 sqrt), 2 sin/cos, 1 atan2
+    3 flops (2 mul, 1 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2
 
     Args:
         pump: which pump runs: 1 fills container 1, -1 fills container 2, 0 none
-        theta_ref: angle wanted, rad
+        theta_ref: angle wanted; at night, where the single axis answers BELOW_HORIZON, the angle
+            to wait at, rad
         theta_measured: angle measured, rad
-        s: volume moved from container 2 to 1, m^3
-        A_1: floor area of container 1, m^2
-        A_2: floor area of container 2, m^2
-        h_10: level in container 1 before any water is moved, m
-        h_20: level in container 2 before any water is moved, m
+        level_1: level measured in container 1, m
+        level_2: level measured in container 2, m
         h_max: height of either container, m
         q_pump: flow of the pump when it runs, m^3/s
         band_on: error of the angle at which the pump starts, rad
         band_off: error of the angle, in the sense of the motion, at which the pump stops;
             negative lets it run ahead of the sun, rad
-        M, l, lam, I_zz, w, x_1, y_1, x_2, y_2, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho,
-            g, mu, r_f, r_A, r_B, omega_s, gcr, cross_axis_tilt, rotation_min, rotation_max:
-            accepted and not read
+        M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, a_t, L_t, m_t, S_t_xi,
+            S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A, r_B, omega_s, lag, gcr, cross_axis_tilt,
+            rotation_min, rotation_max: accepted and not read
 
     Returns:
         flow: flow from container 2 to 1 that the pump gives, m^3/s
         pump: pump that runs after this sample
         status -3 (UNREACHABLE): the errors at which the pump starts and stops contradict
         status 5 (LIMIT): the levels forbid the pump that is asked for
-        status 5 (LIMIT): a container overflows, or should hold less than nothing
+        status 5 (LIMIT): a level measured lies outside its container
         status -1 (NOT_FINITE) or -2 (OUT_OF_RANGE): an input was refused; results are NaN
     """
     call = Call(
         ("pump", pump, -1.0, 1.0, 0.25),
         ("theta_ref", theta_ref, -1000.0, 1000.0, 0.4),
         ("theta_measured", theta_measured, -1000.0, 1000.0, 0.4),
-        ("s", s, -1000.0, 1000.0, 0.00025),
-        ("A_1", A_1, 0.0001, 100.0, 0.1325),
-        ("A_2", A_2, 0.0001, 100.0, 0.1325),
-        ("h_10", h_10, 0.0, 10.0, 0.08125),
-        ("h_20", h_20, 0.0, 10.0, 0.08125),
+        ("level_1", level_1, -10.0, 10.0, 0.1875),
+        ("level_2", level_2, -10.0, 10.0, 0.1875),
         ("h_max", h_max, 0.0, 10.0, 0.24375),
-        ("q_pump", q_pump, 0.0, 1000.0, 0.0006253750000000001),
+        ("q_pump", q_pump, 0.0, 1000.0, 1.325e-05),
         ("band_on", band_on, 0.0, 10.0, 0.031625),
         ("band_off", band_off, -10.0, 10.0, -0.018750000000000003),
     )
     xp = call.xp
-    (pump, theta_ref, theta_measured, s, A_1, A_2, h_10, h_20, h_max, q_pump, band_on,
+    (pump, theta_ref, theta_measured, level_1, level_2, h_max, q_pump, band_on,
         band_off) = call.values
     t1 = theta_ref - theta_measured
     t2 = xp.sin(t1)
@@ -2532,42 +4333,38 @@ def pump_control_update(*, pump, theta_ref, theta_measured, s, A_1, A_2, h_10, h
     t11 = call.select(t5, (-1.0), t10)
     wish = call.select(t4, 1.0, t11)
     t12 = 0.0 < wish
-    t13 = s / A_1
-    h_1 = h_10 + t13
-    t14 = h_1 < h_max
-    t15 = s / A_2
-    h_2 = h_20 - t15
-    t16 = 0.0 < h_2
-    t17 = xp.logical_and(t14, t16)
+    t13 = level_1 < h_max
+    t14 = 0.0 < level_2
+    t15 = xp.logical_and(t13, t14)
+    t16 = xp.logical_not(t15)
+    t17 = xp.logical_and(t12, t16)
     t18 = xp.logical_not(t17)
-    t19 = xp.logical_and(t12, t18)
-    t20 = xp.logical_not(t19)
-    t21 = wish < 0.0
-    t22 = h_2 < h_max
-    t23 = 0.0 < h_1
-    t24 = xp.logical_and(t22, t23)
+    t19 = wish < 0.0
+    t20 = level_2 < h_max
+    t21 = 0.0 < level_1
+    t22 = xp.logical_and(t20, t21)
+    t23 = xp.logical_not(t22)
+    t24 = xp.logical_and(t19, t23)
     t25 = xp.logical_not(t24)
-    t26 = xp.logical_and(t21, t25)
-    t27 = xp.logical_not(t26)
-    t28 = xp.logical_and(t20, t27)
-    blocked = xp.logical_not(t28)
+    t26 = xp.logical_and(t18, t25)
+    blocked = xp.logical_not(t26)
     pump_next = call.select(blocked, 0.0, wish)
     flow = q_pump * pump_next
     unfit = band_on < xp.abs(band_off)
-    t29 = h_1 < 0.0
+    t27 = level_1 < 0.0
+    t28 = xp.logical_not(t27)
+    t29 = level_2 < 0.0
     t30 = xp.logical_not(t29)
-    t31 = h_2 < 0.0
-    t32 = xp.logical_not(t31)
-    t33 = xp.logical_and(t30, t32)
-    t34 = h_max < h_1
-    t35 = xp.logical_not(t34)
-    t36 = xp.logical_and(t33, t35)
-    t37 = h_max < h_2
-    t38 = xp.logical_not(t37)
-    t39 = xp.logical_and(t36, t38)
-    spilt = xp.logical_not(t39)
+    t31 = xp.logical_and(t28, t30)
+    t32 = h_max < level_1
+    t33 = xp.logical_not(t32)
+    t34 = xp.logical_and(t31, t33)
+    t35 = h_max < level_2
+    t36 = xp.logical_not(t35)
+    t37 = xp.logical_and(t34, t36)
+    astray = xp.logical_not(t37)
     call.case(5, blocked)  # LIMIT
-    call.case(5, spilt)  # LIMIT
+    call.case(5, astray)  # LIMIT
     call.case(-3, unfit)  # UNREACHABLE
     return PumpControlUpdateResult(
         flow=call.array((), (flow,)),
@@ -2588,7 +4385,8 @@ def single_axis(*, enu, axis_azimuth, axis_tilt, M=None, l=None, lam=None, I_zz=
     A_2=None, w=None, x_1=None, y_1=None, x_2=None, y_2=None, h_10=None, h_20=None, h_max=None,
     a_t=None, L_t=None, m_t=None, S_t_xi=None, S_t_eta=None, I_t=None, Gamma_t=None, rho=None,
     g=None, mu=None, r_f=None, r_A=None, r_B=None, omega_s=None, q_pump=None, band_on=None,
-    band_off=None, gcr=None, cross_axis_tilt=None, rotation_min=None, rotation_max=None):
+    band_off=None, lag=None, gcr=None, cross_axis_tilt=None, rotation_min=None,
+    rotation_max=None):
     """Rotation of a single axis to the sun, and what it misses.
 
     16 flops (10 mul, 5 add, 0 div, 1 sqrt), 4 sin/cos, 2 atan2
@@ -2600,7 +4398,7 @@ def single_axis(*, enu, axis_azimuth, axis_tilt, M=None, l=None, lam=None, I_zz=
         axis_tilt: tilt of the axis against the level, rad
         M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t, m_t,
             S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A, r_B, omega_s, q_pump, band_on,
-            band_off, gcr, cross_axis_tilt, rotation_min, rotation_max: accepted and not read
+            band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max: accepted and not read
 
     Returns:
         rotation: rotation of the axis at which the trough faces the sun, in [-pi, pi], rad
@@ -2653,7 +4451,7 @@ def single_axis_backtrack(*, enu, axis_azimuth, axis_tilt, gcr, cross_axis_tilt,
     rotation_max, M=None, l=None, lam=None, I_zz=None, A_1=None, A_2=None, w=None, x_1=None,
     y_1=None, x_2=None, y_2=None, h_10=None, h_20=None, h_max=None, a_t=None, L_t=None, m_t=None,
     S_t_xi=None, S_t_eta=None, I_t=None, Gamma_t=None, rho=None, g=None, mu=None, r_f=None,
-    r_A=None, r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None):
+    r_A=None, r_B=None, omega_s=None, q_pump=None, band_on=None, band_off=None, lag=None):
     """The same without shading the next row, on a slope, within limits of stroke.
 
     35 flops (19 mul, 12 add, 1 div, 3 sqrt), 8 sin/cos, 3 atan2
@@ -2672,7 +4470,7 @@ def single_axis_backtrack(*, enu, axis_azimuth, axis_tilt, gcr, cross_axis_tilt,
         rotation_max: greatest rotation, rad
         M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10, h_20, h_max, a_t, L_t, m_t,
             S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A, r_B, omega_s, q_pump, band_on,
-            band_off: accepted and not read
+            band_off, lag: accepted and not read
 
     Returns:
         rotation: rotation that the trough is given, rad

@@ -18,6 +18,7 @@ _REAL = {
 GUARDS = (-1, -2)
 MOST = 250
 FITTING = 200
+MOUNTS = 8  # of those, to set up with where one must be accepted
 
 
 def driver_source(printed: Printed, precision: str, kernels: list[tuple[str, str]]) -> str:
@@ -148,14 +149,20 @@ def stages_row(printed, system, name, facts, precision):
     symbol, context = f"{whole}_step_{precision}", f"{whole}_ctx_{precision}"
     struct = f"{printed.target.c_prefix}{system}_params_{precision}" if shapes else ""
     setup, step = kernel["stages"]["setup"], kernel["stages"]["step"]
-    legal = ", ".join(_legal(known[q], prod(s), places[q][0]) for q, s in read) or "0"
+    fitting = _fitting(record, read, dtype)
+    legal = [", ".join(_legal(known[q], prod(s), places[q][0]) for q, s in read) or "0"]
+    if fitting:  # the middles of the ranges need not fit together
+        legal = [row.strip(" ,") for row in fitting[:MOUNTS]]
     lines = [
         *_stage(f"{whole}_setup_{precision}", setup, struct, places, real, f"{context} *ctx"),
         *_stage(symbol, step, struct, places, real, f"const {context} *ctx", kernel["results"]),
         *_refused(symbol, real, context, outputs),
         f"static int call_{symbol}(const {real} *in, {real} *out)",
         "{",
-        f"  static const {real} legal[] = {{{legal}}};",
+        f"  static const {real} legal[][{max(place, 1)}] = {{",
+        *(f"    {{{row}}}," for row in legal),
+        "  };",
+        "  size_t mount = 0;",
         f"  {context} ctx, before;",
         "  memset(&ctx, 0, sizeof ctx);",
         f"  if (!refused_{symbol}(in, &ctx)) {{ return 97; }}",
@@ -166,7 +173,9 @@ def stages_row(printed, system, name, facts, precision):
         f"  const int first = run_{whole}_setup_{precision}(in, &ctx, NULL);",
         f"  if (first >= 0) {{ return run_{symbol}(in, &ctx, out); }}",
         "  if (memcmp(&before, &ctx, sizeof ctx) != 0) { return 99; }",
-        f"  if (run_{whole}_setup_{precision}(legal, &ctx, NULL) < 0) {{ return 98; }}",
+        f"  while (run_{whole}_setup_{precision}(legal[mount], &ctx, NULL) < 0) {{",
+        f"    if (++mount == {len(legal)}) {{ return 98; }}",
+        "  }",
         f"  {real} nowhere[{max(outputs, 1)}];",
         f"  const int second = run_{symbol}(in, &ctx, nowhere);",
         f"  if (run_{whole}_setup_{precision}(in, &ctx, NULL) != first) {{ return 96; }}",
@@ -177,7 +186,6 @@ def stages_row(printed, system, name, facts, precision):
     ]
     table = [_quantity(known[q], prod(shape), dtype) for q, shape in read]
     apart = printed.stages[system, name].step
-    fitting = _fitting(record, read, dtype)
     lines, row = _with_row(lines, symbol, table, place, outputs, program, fitting)
     assert must_not_overlap(apart) <= must_not_overlap(program)
     return lines, row

@@ -150,6 +150,14 @@ def test_round_points_are_round_and_inside_the_ranges(d):
         assert np.linalg.det(R) == pytest.approx(1)
 
 
+def test_no_round_value_is_what_rounding_left_of_zero(d):
+    """Of -0.3 to 0.1 three quarters are 5.6e-17 in double precision."""
+    place = d.scalar("place", "x", range=(-0.3, 0.1))
+    values = {point.told()["place"] for point in p.round_points([place], ())}
+    assert 0.0 in values
+    assert min(abs(value) for value in values if value) > 0.05
+
+
 def test_the_plainest_round_point_with_a_large_error_is_shown(d):
     a, b = d.angle("a", "x"), d.angle("b", "x")
 

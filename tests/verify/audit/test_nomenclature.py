@@ -46,7 +46,7 @@ def judged(paper, name, unit):
     ("name", "unit"),
     [
         ("turn", "deg"), ("turn", "rad"), ("mass", "kg"), ("inertia", "N m s^2"), ("moment", "N m"),
-        ("pull", "m/s^2"), ("force", "kg m/s^2"),
+        ("pull", "m/s^2"), ("force", "kg m/s^2"), ("ratio", "1"),
     ],
 )  # fmt: skip
 def test_a_unit_that_holds(wheel, name, unit):
@@ -65,6 +65,7 @@ def test_a_unit_that_holds(wheel, name, unit):
         ("mass", "m", "kg for m"),
         ("force", "kg m/s", "kg m/s^2 for kg m/s"),
         ("turn", "m^2/s", None),
+        ("mass", "1", None),
     ],
 )
 def test_the_smallest_slip(wheel, name, unit, words):
@@ -87,7 +88,9 @@ def test_a_row_leads_to_the_definition(wheel):
 def test_the_entries_of_a_matrix_have_one_unit(wheel):
     F, m = wheel.of["force"].x, wheel.of["mass"]
     wheel.in_unit("both", "two forces [N]", matrix([F, 2 * F]), "N")
-    assert audit(wheel)[-1].verdict is Verdict.HOLDS
+    found = audit(wheel)[-1]
+    assert found.verdict is Verdict.HOLDS
+    assert found.claims == ("wheel-force",)  # once, though both entries name it
     wheel.in_unit("mixed", "a force and a mass [N]", matrix([F, m]), "N")
     with pytest.raises(UnitError, match="mixed"):
         audit(wheel)

@@ -25,7 +25,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_WATER_TROUGH_ABI 0xd3493230UL
+#define ARMILLARY_WATER_TROUGH_ABI 0xed6e03b3UL
 
 #ifdef __cplusplus
 extern "C" {
@@ -79,11 +79,10 @@ typedef struct {
   float L_t;
   /** Mass of the water in the tube, kg, refused outside [0, 100000], working range [0.1, 3]. */
   float m_t;
-  /** First moment of the water in the tube along xi, m*kg, refused outside [-100000, 100000],
-      working range [-0.3, 0.3]. */
+  /** First moment S_t of the water in the tube: its component along xi, given by itself, m*kg,
+      refused outside [-100000, 100000], working range [-0.3, 0.3]. */
   float S_t_xi;
-  /** First moment of the water in the tube along eta, m*kg, refused outside [-100000, 100000],
-      working range [-0.3, 0.3]. */
+  /** The same along eta, m*kg, refused outside [-100000, 100000], working range [-0.3, 0.3]. */
   float S_t_eta;
   /** Second moment of the water in the tube about the axis, m^2*kg, refused outside [0, 1e+06],
       working range [0, 2]. */
@@ -109,8 +108,8 @@ typedef struct {
   /** Angular velocity at which smooth friction has 0.71 of its size, rad/s, refused outside
       [1e-09, 1000], working range [0.0001, 0.1]. */
   float omega_s;
-  /** Flow of the pump when it runs, m^3/s, refused outside [0, 1000], working range [1e-06,
-      0.001]. */
+  /** Flow of the pump when it runs, m^3/s, refused outside [0, 1000], working range [2e-06,
+      2e-05]. */
   float q_pump;
   /** Error of the angle at which the pump starts, rad, refused outside [0, 10], working range
       [0.001, 0.05]. */
@@ -118,6 +117,10 @@ typedef struct {
   /** Error of the angle, in the sense of the motion, at which the pump stops; negative lets it
       run ahead of the sun, rad, refused outside [-10, 10], working range [-0.05, 0]. */
   float band_off;
+  /** Time from where the error asks for a change of the flow to the middle of that change: half
+      of a sampling period and half of a ramp, s, refused outside [0, 1000], working range [0, 1].
+      */
+  float lag;
   /** Ground cover ratio: width of a collector over the level distance of two axes, on a slope
       too, refused outside [0.001, 1000], working range [0.1, 0.9]. */
   float gcr;
@@ -136,8 +139,8 @@ typedef struct {
  *
  * Cost: 10 flops (6 mul, 2 add, 2 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: M, l, lam, I_zz, w, x_1, y_1, x_2, y_2, a_t, L_t, m_t,
- *     S_t_xi, S_t_eta, I_t, Gamma_t, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, gcr,
- *     cross_axis_tilt, rotation_min, rotation_max
+ *     S_t_xi, S_t_eta, I_t, Gamma_t, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag,
+ *     gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
  * @param[out] h_1 level in container 1, m (water_trough-h_1)
@@ -180,8 +183,8 @@ typedef struct {
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
  * @param[in] p parameters; not read: M, l, lam, I_zz, w, x_1, y_1, x_2, y_2, a_t, L_t, m_t,
- *     S_t_xi, S_t_eta, I_t, Gamma_t, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, gcr,
- *     cross_axis_tilt, rotation_min, rotation_max
+ *     S_t_xi, S_t_eta, I_t, Gamma_t, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag,
+ *     gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what levels_step reads; not ready where the status is negative, whatever it
  *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -217,8 +220,8 @@ int water_trough_levels_step_f32(
 /**
  * @brief Kinetic and potential energy of trough and water.
  *
- * Cost: 77 flops (46 mul, 28 add, 3 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: m_t, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off,
+ * Cost: 85 flops (53 mul, 29 add, 3 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag,
  *     gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -234,6 +237,9 @@ int water_trough_levels_step_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   LIMIT: a container is empty: its pump draws air
  * @see water_trough_energy_setup_f32
  * @see water_trough_energy_step_f32
@@ -270,25 +276,26 @@ typedef struct {
   float rho;
   float m7;
   float m8;
-  float m9;
   float S_t_xi;
-  float m10;
+  float m9;
   float S_t_eta;
   float g;
   float h_max;
+  int m10;
 } water_trough_energy_ctx_f32;
 
 /**
  * @brief Set-up of energy: all of it that changes with the mount only.
  *
- * Cost: 19 flops (12 mul, 4 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 24 flops (16 mul, 5 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: m_t, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off,
+ * @param[in] p parameters; not read: mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag,
  *     gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what energy_step reads; not ready where the status is negative, whatever it
  *     held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_energy_f32
  * @see water_trough_energy_step_f32
  */
@@ -298,7 +305,7 @@ int water_trough_energy_setup_f32(
 /**
  * @brief Step of energy. Kinetic and potential energy of trough and water.
  *
- * Cost: 58 flops (34 mul, 24 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 61 flops (37 mul, 24 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] ctx what energy_setup left; refused if it is not ready
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -314,6 +321,8 @@ int water_trough_energy_setup_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   LIMIT: a container is empty: its pump draws air
  *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
  * @see water_trough_energy_f32
@@ -324,11 +333,12 @@ int water_trough_energy_step_f32(
     float *V);
 
 /**
- * @brief Angular acceleration with dry friction, and whether it holds the trough.
+ * @brief Angular acceleration with dry friction, and whether it holds the trough. An empty
+ *     container's LIMIT hides STICKING: friction holds where omega and alpha are 0.
  *
- * Cost: 192 flops (118 mul, 68 add, 4 div, 2 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: a_t, L_t, r_A, r_B, omega_s, q_pump, band_on, band_off,
- *     gcr, cross_axis_tilt, rotation_min, rotation_max
+ * Cost: 206 flops (128 mul, 71 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
+ *     cross_axis_tilt, rotation_min, rotation_max
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] omega angular velocity of the trough, rad/s, refused outside [-1000, 1000], working
@@ -343,6 +353,9 @@ int water_trough_energy_step_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   STICKING: friction holds the trough: the acceleration is 0
@@ -354,7 +367,7 @@ int water_trough_acceleration_f32(
     float *alpha);
 
 /**
- * @brief What acceleration_setup hands to acceleration_step: 24 numbers.
+ * @brief What acceleration_setup hands to acceleration_step: 26 numbers.
  * Its fields may change from version to version: do not store or send it, and set it up again
  *     after recompiling. No argument and no result may lie in it.
  * ready is 0 from the beginning of acceleration_setup and a mark from its end, if it did not
@@ -389,19 +402,22 @@ typedef struct {
   float Gamma_t;
   float g;
   float h_max;
+  float m10;
+  int m11;
 } water_trough_acceleration_ctx_f32;
 
 /**
  * @brief Set-up of acceleration: all of it that changes with the mount only.
  *
- * Cost: 26 flops (17 mul, 7 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 33 flops (22 mul, 8 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: a_t, L_t, r_A, r_B, omega_s, q_pump, band_on, band_off,
- *     gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
+ *     cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what acceleration_step reads; not ready where the status is negative, whatever
  *     it held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_acceleration_f32
  * @see water_trough_acceleration_step_f32
  */
@@ -410,9 +426,10 @@ int water_trough_acceleration_setup_f32(
 
 /**
  * @brief Step of acceleration. Angular acceleration with dry friction, and whether it holds the
- *     trough.
+ *     trough. An empty container's LIMIT hides STICKING: friction holds where omega and alpha
+ *     are 0.
  *
- * Cost: 166 flops (101 mul, 61 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 173 flops (106 mul, 63 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] ctx what acceleration_setup left; refused if it is not ready
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -428,6 +445,8 @@ int water_trough_acceleration_setup_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   STICKING: friction holds the trough: the acceleration is 0
@@ -442,8 +461,8 @@ int water_trough_acceleration_step_f32(
 /**
  * @brief The same with friction that grows with the speed and never holds.
  *
- * Cost: 191 flops (116 mul, 68 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: a_t, L_t, r_A, r_B, q_pump, band_on, band_off, gcr,
+ * Cost: 205 flops (126 mul, 71 add, 6 div, 2 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: r_A, r_B, q_pump, band_on, band_off, lag, gcr,
  *     cross_axis_tilt, rotation_min, rotation_max
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -460,6 +479,9 @@ int water_trough_acceleration_step_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  * @see water_trough_acceleration_smooth_setup_f32
@@ -470,7 +492,7 @@ int water_trough_acceleration_smooth_f32(
     float *alpha);
 
 /**
- * @brief What acceleration_smooth_setup hands to acceleration_smooth_step: 25 numbers.
+ * @brief What acceleration_smooth_setup hands to acceleration_smooth_step: 27 numbers.
  * Its fields may change from version to version: do not store or send it, and set it up again
  *     after recompiling. No argument and no result may lie in it.
  * ready is 0 from the beginning of acceleration_smooth_setup and a mark from its end, if it did
@@ -506,19 +528,22 @@ typedef struct {
   float m10;
   float arm;
   float h_max;
+  float m11;
+  int m12;
 } water_trough_acceleration_smooth_ctx_f32;
 
 /**
  * @brief Set-up of acceleration_smooth: all of it that changes with the mount only.
  *
- * Cost: 27 flops (18 mul, 7 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 34 flops (23 mul, 8 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: a_t, L_t, r_A, r_B, q_pump, band_on, band_off, gcr,
+ * @param[in] p parameters; not read: r_A, r_B, q_pump, band_on, band_off, lag, gcr,
  *     cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what acceleration_smooth_step reads; not ready where the status is negative,
  *     whatever it held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_acceleration_smooth_f32
  * @see water_trough_acceleration_smooth_step_f32
  */
@@ -529,7 +554,7 @@ int water_trough_acceleration_smooth_setup_f32(
  * @brief Step of acceleration_smooth. The same with friction that grows with the speed and never
  *     holds.
  *
- * Cost: 164 flops (98 mul, 61 add, 3 div, 2 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 171 flops (103 mul, 63 add, 3 div, 2 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] ctx what acceleration_smooth_setup left; refused if it is not ready
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -546,6 +571,8 @@ int water_trough_acceleration_smooth_setup_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
@@ -559,8 +586,8 @@ int water_trough_acceleration_smooth_step_f32(
 /**
  * @brief Moments of friction of the bearings on the trough.
  *
- * Cost: 195 flops (119 mul, 69 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: a_t, L_t, omega_s, q_pump, band_on, band_off, gcr,
+ * Cost: 209 flops (129 mul, 72 add, 6 div, 2 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: omega_s, q_pump, band_on, band_off, lag, gcr,
  *     cross_axis_tilt, rotation_min, rotation_max
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -578,6 +605,9 @@ int water_trough_acceleration_smooth_step_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   STICKING: friction holds the trough: the acceleration is 0
@@ -589,7 +619,7 @@ int water_trough_friction_f32(
     float *M_FA, float *M_FB, float *M_F);
 
 /**
- * @brief What friction_setup hands to friction_step: 26 numbers.
+ * @brief What friction_setup hands to friction_step: 28 numbers.
  * Its fields may change from version to version: do not store or send it, and set it up again
  *     after recompiling. No argument and no result may lie in it.
  * ready is 0 from the beginning of friction_setup and a mark from its end, if it did not refuse.
@@ -625,19 +655,22 @@ typedef struct {
   float share_A;
   float m10;
   float h_max;
+  float m11;
+  int m12;
 } water_trough_friction_ctx_f32;
 
 /**
  * @brief Set-up of friction: all of it that changes with the mount only.
  *
- * Cost: 29 flops (17 mul, 9 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 36 flops (22 mul, 10 add, 4 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: a_t, L_t, omega_s, q_pump, band_on, band_off, gcr,
+ * @param[in] p parameters; not read: omega_s, q_pump, band_on, band_off, lag, gcr,
  *     cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what friction_step reads; not ready where the status is negative, whatever it
  *     held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_friction_f32
  * @see water_trough_friction_step_f32
  */
@@ -647,7 +680,7 @@ int water_trough_friction_setup_f32(
 /**
  * @brief Step of friction. Moments of friction of the bearings on the trough.
  *
- * Cost: 166 flops (102 mul, 60 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 173 flops (107 mul, 62 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] ctx what friction_setup left; refused if it is not ready
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -665,6 +698,8 @@ int water_trough_friction_setup_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   STICKING: friction holds the trough: the acceleration is 0
@@ -679,8 +714,8 @@ int water_trough_friction_step_f32(
 /**
  * @brief Forces of the bearings on the trough, level and upward.
  *
- * Cost: 215 flops (132 mul, 76 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: a_t, L_t, omega_s, q_pump, band_on, band_off, gcr,
+ * Cost: 229 flops (142 mul, 79 add, 6 div, 2 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: omega_s, q_pump, band_on, band_off, lag, gcr,
  *     cross_axis_tilt, rotation_min, rotation_max
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -699,6 +734,9 @@ int water_trough_friction_step_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   STICKING: friction holds the trough: the acceleration is 0
@@ -710,7 +748,7 @@ int water_trough_reactions_f32(
     float F_A[2], float F_B[2]);
 
 /**
- * @brief What reactions_setup hands to reactions_step: 26 numbers.
+ * @brief What reactions_setup hands to reactions_step: 28 numbers.
  * Its fields may change from version to version: do not store or send it, and set it up again
  *     after recompiling. No argument and no result may lie in it.
  * ready is 0 from the beginning of reactions_setup and a mark from its end, if it did not
@@ -746,19 +784,22 @@ typedef struct {
   float share_A;
   float m10;
   float h_max;
+  float m11;
+  int m12;
 } water_trough_reactions_ctx_f32;
 
 /**
  * @brief Set-up of reactions: all of it that changes with the mount only.
  *
- * Cost: 29 flops (17 mul, 9 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 36 flops (22 mul, 10 add, 4 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: a_t, L_t, omega_s, q_pump, band_on, band_off, gcr,
+ * @param[in] p parameters; not read: omega_s, q_pump, band_on, band_off, lag, gcr,
  *     cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what reactions_step reads; not ready where the status is negative, whatever it
  *     held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_reactions_f32
  * @see water_trough_reactions_step_f32
  */
@@ -768,7 +809,7 @@ int water_trough_reactions_setup_f32(
 /**
  * @brief Step of reactions. Forces of the bearings on the trough, level and upward.
  *
- * Cost: 186 flops (115 mul, 67 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 193 flops (120 mul, 69 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] ctx what reactions_setup left; refused if it is not ready
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -787,6 +828,8 @@ int water_trough_reactions_setup_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   STICKING: friction holds the trough: the acceleration is 0
@@ -801,8 +844,8 @@ int water_trough_reactions_step_f32(
 /**
  * @brief Pressure that the pump must give, without losses in the tube.
  *
- * Cost: 264 flops (164 mul, 93 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, gcr,
+ * Cost: 272 flops (171 mul, 94 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
  *     cross_axis_tilt, rotation_min, rotation_max
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -819,6 +862,9 @@ int water_trough_reactions_step_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   STICKING: friction holds the trough: the acceleration is 0
@@ -830,7 +876,7 @@ int water_trough_pump_pressure_f32(
     float *pressure);
 
 /**
- * @brief What pump_pressure_setup hands to pump_pressure_step: 34 numbers.
+ * @brief What pump_pressure_setup hands to pump_pressure_step: 35 numbers.
  * Its fields may change from version to version: do not store or send it, and set it up again
  *     after recompiling. No argument and no result may lie in it.
  * ready is 0 from the beginning of pump_pressure_setup and a mark from its end, if it did not
@@ -875,19 +921,21 @@ typedef struct {
   float m18;
   float m19;
   float h_max;
+  int m20;
 } water_trough_pump_pressure_ctx_f32;
 
 /**
  * @brief Set-up of pump_pressure: all of it that changes with the mount only.
  *
- * Cost: 45 flops (32 mul, 10 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 51 flops (37 mul, 11 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, gcr,
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
  *     cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what pump_pressure_step reads; not ready where the status is negative,
  *     whatever it held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_pump_pressure_f32
  * @see water_trough_pump_pressure_step_f32
  */
@@ -897,7 +945,7 @@ int water_trough_pump_pressure_setup_f32(
 /**
  * @brief Step of pump_pressure. Pressure that the pump must give, without losses in the tube.
  *
- * Cost: 219 flops (132 mul, 83 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 221 flops (134 mul, 83 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] ctx what pump_pressure_setup left; refused if it is not ready
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -914,6 +962,8 @@ int water_trough_pump_pressure_setup_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   STICKING: friction holds the trough: the acceleration is 0
@@ -928,9 +978,9 @@ int water_trough_pump_pressure_step_f32(
 /**
  * @brief Angle at which the trough rests without friction, in [-pi, pi].
  *
- * Cost: 36 flops (19 mul, 14 add, 2 div, 1 sqrt), 2 sin/cos, 1 atan2.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B,
- *     omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * Cost: 40 flops (22 mul, 15 add, 2 div, 1 sqrt), 2 sin/cos, 1 atan2.
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s,
+ *     q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
  * @param[out] theta angle at which the trough rests without friction, in [-pi, pi], rad
@@ -938,6 +988,7 @@ int water_trough_pump_pressure_step_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  *   LIMIT: a container is empty: its pump draws air
  *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
  * @see water_trough_rest_angle_setup_f32
@@ -977,14 +1028,15 @@ typedef struct {
 /**
  * @brief Set-up of rest_angle: all of it that changes with the mount only.
  *
- * Cost: 14 flops (9 mul, 3 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 18 flops (12 mul, 4 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B,
- *     omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s,
+ *     q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what rest_angle_step reads; not ready where the status is negative, whatever
  *     it held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_rest_angle_f32
  * @see water_trough_rest_angle_step_f32
  */
@@ -1015,9 +1067,9 @@ int water_trough_rest_angle_step_f32(
 /**
  * @brief About the rest: stiffness, period of small swings, and turn per volume moved.
  *
- * Cost: 89 flops (52 mul, 31 add, 4 div, 2 sqrt), 2 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: a_t, L_t, Gamma_t, mu, r_f, r_A, r_B, omega_s, q_pump,
- *     band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * Cost: 108 flops (65 mul, 36 add, 5 div, 2 sqrt), 2 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag,
+ *     gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
  * @param[out] stiffness moment per angle that drives the trough back to rest, N*m
@@ -1028,6 +1080,9 @@ int water_trough_rest_angle_step_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   LIMIT: a container is empty: its pump draws air
  *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
  * @see water_trough_rest_setup_f32
@@ -1037,7 +1092,7 @@ int water_trough_rest_f32(
     const water_trough_params_f32 *p, float s, float *stiffness, float *period, float *gain);
 
 /**
- * @brief What rest_setup hands to rest_step: 26 numbers.
+ * @brief What rest_setup hands to rest_step: 30 numbers.
  * Its fields may change from version to version: do not store or send it, and set it up again
  *     after recompiling. No argument and no result may lie in it.
  * ready is 0 from the beginning of rest_setup and a mark from its end, if it did not refuse.
@@ -1072,19 +1127,24 @@ typedef struct {
   float m13;
   float m14;
   float h_max;
+  float m15;
+  float rho;
+  float Gamma_t;
+  int m16;
 } water_trough_rest_ctx_f32;
 
 /**
  * @brief Set-up of rest: all of it that changes with the mount only.
  *
- * Cost: 31 flops (21 mul, 8 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 38 flops (26 mul, 9 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: a_t, L_t, Gamma_t, mu, r_f, r_A, r_B, omega_s, q_pump,
- *     band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] p parameters; not read: mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag,
+ *     gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what rest_step reads; not ready where the status is negative, whatever it held
  *     before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_rest_f32
  * @see water_trough_rest_step_f32
  */
@@ -1094,7 +1154,7 @@ int water_trough_rest_setup_f32(const water_trough_params_f32 *p, water_trough_r
  * @brief Step of rest. About the rest: stiffness, period of small swings, and turn per volume
  *     moved.
  *
- * Cost: 58 flops (31 mul, 23 add, 2 div, 2 sqrt), 0 sin/cos, 0 atan2.
+ * Cost: 70 flops (39 mul, 27 add, 2 div, 2 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] ctx what rest_setup left; refused if it is not ready
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
@@ -1106,6 +1166,8 @@ int water_trough_rest_setup_f32(const water_trough_params_f32 *p, water_trough_r
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   LIMIT: a container is empty: its pump draws air
  *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
  *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
@@ -1119,9 +1181,9 @@ int water_trough_rest_step_f32(
  * @brief About the rest, without friction: the deviation accelerates by -swing times itself,
  *     pull times the volume moved since, and -kick times the rate of the flow.
  *
- * Cost: 102 flops (63 mul, 34 add, 4 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: a_t, L_t, r_A, r_B, omega_s, q_pump, band_on, band_off,
- *     gcr, cross_axis_tilt, rotation_min, rotation_max
+ * Cost: 116 flops (73 mul, 37 add, 5 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
+ *     cross_axis_tilt, rotation_min, rotation_max
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
  * @param[out] swing square of the angular frequency of small swings, 1/s^2 (water_trough-swing)
@@ -1131,6 +1193,9 @@ int water_trough_rest_step_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
@@ -1141,7 +1206,7 @@ int water_trough_linear_f32(
     const water_trough_params_f32 *p, float s, float *swing, float *pull, float *kick);
 
 /**
- * @brief What linear_setup hands to linear_step: 29 numbers.
+ * @brief What linear_setup hands to linear_step: 31 numbers.
  * Its fields may change from version to version: do not store or send it, and set it up again
  *     after recompiling. No argument and no result may lie in it.
  * ready is 0 from the beginning of linear_setup and a mark from its end, if it did not refuse.
@@ -1179,20 +1244,23 @@ typedef struct {
   float Gamma_t;
   float rho;
   float h_max;
+  float m15;
+  int m16;
   float arm;
 } water_trough_linear_ctx_f32;
 
 /**
  * @brief Set-up of linear: all of it that changes with the mount only.
  *
- * Cost: 33 flops (23 mul, 8 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 40 flops (28 mul, 9 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: a_t, L_t, r_A, r_B, omega_s, q_pump, band_on, band_off,
- *     gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
+ *     cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what linear_step reads; not ready where the status is negative, whatever it
  *     held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_linear_f32
  * @see water_trough_linear_step_f32
  */
@@ -1203,7 +1271,7 @@ int water_trough_linear_setup_f32(
  * @brief Step of linear. About the rest, without friction: the deviation accelerates by -swing
  *     times itself, pull times the volume moved since, and -kick times the rate of the flow.
  *
- * Cost: 69 flops (40 mul, 26 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * Cost: 76 flops (45 mul, 28 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] ctx what linear_setup left; refused if it is not ready
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
@@ -1214,6 +1282,8 @@ int water_trough_linear_setup_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
@@ -1227,9 +1297,9 @@ int water_trough_linear_step_f32(
 /**
  * @brief Half of the range of angles about the rest where friction holds the trough.
  *
- * Cost: 44 flops (23 mul, 16 add, 3 div, 2 sqrt), 2 sin/cos, 1 atan2.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, r_A, r_B, omega_s, q_pump,
- *     band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * Cost: 48 flops (26 mul, 17 add, 3 div, 2 sqrt), 2 sin/cos, 1 atan2.
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, r_A, r_B, omega_s, q_pump, band_on,
+ *     band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
  * @param[out] half_width half of the range of angles about the rest where friction holds the
@@ -1237,6 +1307,7 @@ int water_trough_linear_step_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_CLAMPED,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  *   LIMIT: a container is empty: its pump draws air
  *   CLAMPED: friction holds the trough at every angle
  * @see water_trough_stick_band_setup_f32
@@ -1278,14 +1349,15 @@ typedef struct {
 /**
  * @brief Set-up of stick_band: all of it that changes with the mount only.
  *
- * Cost: 17 flops (12 mul, 3 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 21 flops (15 mul, 4 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, r_A, r_B, omega_s, q_pump,
- *     band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, r_A, r_B, omega_s, q_pump, band_on,
+ *     band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what stick_band_step reads; not ready where the status is negative, whatever
  *     it held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_stick_band_f32
  * @see water_trough_stick_band_step_f32
  */
@@ -1317,9 +1389,9 @@ int water_trough_stick_band_step_f32(
 /**
  * @brief Flow at which the rest turns at a rate.
  *
- * Cost: 60 flops (35 mul, 20 add, 4 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B,
- *     omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * Cost: 64 flops (38 mul, 21 add, 4 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s,
+ *     q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
  * @param[in] theta_dot_ref rate at which the trough is to turn, rad/s, refused outside [-1000,
@@ -1328,6 +1400,7 @@ int water_trough_stick_band_step_f32(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  *   LIMIT: a container is empty: its pump draws air
  *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
  *   SINGULAR: moving water turns nothing
@@ -1373,14 +1446,15 @@ typedef struct {
 /**
  * @brief Set-up of follow: all of it that changes with the mount only.
  *
- * Cost: 21 flops (15 mul, 4 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 25 flops (18 mul, 5 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B,
- *     omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s,
+ *     q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what follow_step reads; not ready where the status is negative, whatever it
  *     held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_follow_f32
  * @see water_trough_follow_step_f32
  */
@@ -1413,14 +1487,15 @@ int water_trough_follow_step_f32(
 /**
  * @brief Volume at which the trough rests at an angle.
  *
- * Cost: 82 flops (48 mul, 30 add, 3 div, 1 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, m_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B,
- *     omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * Cost: 135 flops (77 mul, 53 add, 4 div, 1 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s,
+ *     q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] s volume at which the trough rests at this angle without friction, m^3
  *     (water_trough-s_rest)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  *   UNREACHABLE: no volume makes the trough rest at this angle
  *   UNREACHABLE: the rest at this angle does not last
  * @see water_trough_rest_volume_setup_f32
@@ -1465,14 +1540,15 @@ typedef struct {
 /**
  * @brief Set-up of rest_volume: all of it that changes with the mount only.
  *
- * Cost: 43 flops (26 mul, 15 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 47 flops (29 mul, 16 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, m_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B,
- *     omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s,
+ *     q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what rest_volume_step reads; not ready where the status is negative, whatever
  *     it held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_rest_volume_f32
  * @see water_trough_rest_volume_step_f32
  */
@@ -1482,7 +1558,7 @@ int water_trough_rest_volume_setup_f32(
 /**
  * @brief Step of rest_volume. Volume at which the trough rests at an angle.
  *
- * Cost: 38 flops (21 mul, 15 add, 1 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 88 flops (48 mul, 37 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] ctx what rest_volume_setup left; refused if it is not ready
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -1502,9 +1578,9 @@ int water_trough_rest_volume_step_f32(
  * @brief Volumes at which the trough breaks away from an angle in either sense, and the water to
  *     be moved between them.
  *
- * Cost: 85 flops (48 mul, 31 add, 4 div, 2 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, g, r_A, r_B, omega_s,
- *     q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * Cost: 148 flops (81 mul, 56 add, 8 div, 3 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, g, r_A, r_B, omega_s, q_pump,
+ *     band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] s_on volume at which the trough breaks away towards positive angles, m^3
@@ -1514,6 +1590,7 @@ int water_trough_rest_volume_step_f32(
  * @param[out] reversal volume to be moved before the trough reverses, m^3
  *     (water_trough-reversal)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  *   UNREACHABLE: no volume turns the trough on from this angle
  *   UNREACHABLE: no volume turns it back
  * @see water_trough_stick_volumes_setup_f32
@@ -1523,7 +1600,7 @@ int water_trough_stick_volumes_f32(
     const water_trough_params_f32 *p, float theta, float *s_on, float *s_back, float *reversal);
 
 /**
- * @brief What stick_volumes_setup hands to stick_volumes_step: 11 numbers.
+ * @brief What stick_volumes_setup hands to stick_volumes_step: 21 numbers.
  * Its fields may change from version to version: do not store or send it, and set it up again
  *     after recompiling. No argument and no result may lie in it.
  * ready is 0 from the beginning of stick_volumes_setup and a mark from its end, if it did not
@@ -1540,24 +1617,35 @@ typedef struct {
   float m4;
   float m5;
   float m6;
-  float m7;
   float h_1;
-  float m8;
+  float m7;
   float h_2;
   float h_max;
+  float m8;
+  float x_1;
+  float m9;
+  float m10;
+  float x_2;
+  float S_t_xi;
+  float y_1;
+  float m11;
+  float y_2;
+  float S_t_eta;
+  float m12;
 } water_trough_stick_volumes_ctx_f32;
 
 /**
  * @brief Set-up of stick_volumes: all of it that changes with the mount only.
  *
- * Cost: 52 flops (32 mul, 18 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 56 flops (35 mul, 19 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, g, r_A, r_B, omega_s,
- *     q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, g, r_A, r_B, omega_s, q_pump,
+ *     band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what stick_volumes_step reads; not ready where the status is negative,
  *     whatever it held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_stick_volumes_f32
  * @see water_trough_stick_volumes_step_f32
  */
@@ -1568,7 +1656,7 @@ int water_trough_stick_volumes_setup_f32(
  * @brief Step of stick_volumes. Volumes at which the trough breaks away from an angle in either
  *     sense, and the water to be moved between them.
  *
- * Cost: 32 flops (15 mul, 13 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 92 flops (46 mul, 37 add, 6 div, 3 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] ctx what stick_volumes_setup left; refused if it is not ready
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -1590,32 +1678,746 @@ int water_trough_stick_volumes_step_f32(
     float *reversal);
 
 /**
- * @brief Time for which an on-off pump runs, and period of its cycle.
+ * @brief Volume at which the trough rests at an angle when the water's surfaces are level.
  *
- * Cost: 65 flops (36 mul, 23 add, 5 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B,
- *     omega_s, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * Cost: 154 flops (88 mul, 58 add, 7 div, 1 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: I_zz, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s, q_pump,
+ *     band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[out] s volume at which the trough rests at this angle when the surfaces are level, m^3
+ *     (water_trough-s_level)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: a container lies on its side
+ *   UNREACHABLE: no volume makes the trough rest at this angle
+ *   UNREACHABLE: the rest at this angle does not last
+ * @see water_trough_rest_volume_level_setup_f32
+ * @see water_trough_rest_volume_level_step_f32
+ */
+int water_trough_rest_volume_level_f32(const water_trough_params_f32 *p, float theta, float *s);
+
+/**
+ * @brief What rest_volume_level_setup hands to rest_volume_level_step: 21 numbers.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of rest_volume_level_setup and a mark from its end, if it did
+ *     not refuse. Without the mark rest_volume_level_step answers ARMILLARY_OUT_OF_RANGE and
+ *     writes nothing: a machine does not go on with a mount that was never told, or that was
+ *     told wrong.
+ * It holds water_trough-h_1, water_trough-h_2.
+ */
+typedef struct {
+  volatile unsigned long ready;
+  float m1;
+  float m2;
+  float m3;
+  float m4;
+  float m5;
+  float m6;
+  float m7;
+  float h_1;
+  float m8;
+  float h_2;
+  float h_max;
+  float m9;
+  float x_1;
+  float m10;
+  float m11;
+  float x_2;
+  float S_t_xi;
+  float y_1;
+  float m12;
+  float y_2;
+  float S_t_eta;
+} water_trough_rest_volume_level_ctx_f32;
+
+/**
+ * @brief Set-up of rest_volume_level: all of it that changes with the mount only.
+ *
+ * Cost: 52 flops (33 mul, 17 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
+ * @param[in] p parameters; not read: I_zz, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s, q_pump,
+ *     band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[out] ctx what rest_volume_level_step reads; not ready where the status is negative,
+ *     whatever it held before
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ * @see water_trough_rest_volume_level_f32
+ * @see water_trough_rest_volume_level_step_f32
+ */
+int water_trough_rest_volume_level_setup_f32(
+    const water_trough_params_f32 *p, water_trough_rest_volume_level_ctx_f32 *ctx);
+
+/**
+ * @brief Step of rest_volume_level. Volume at which the trough rests at an angle when the
+ *     water's surfaces are level.
+ *
+ * Cost: 102 flops (55 mul, 41 add, 5 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * @param[in] ctx what rest_volume_level_setup left; refused if it is not ready
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[out] s volume at which the trough rests at this angle when the surfaces are level, m^3
+ *     (water_trough-s_level)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a container lies on its side
+ *   UNREACHABLE: no volume makes the trough rest at this angle
+ *   UNREACHABLE: the rest at this angle does not last
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see water_trough_rest_volume_level_f32
+ * @see water_trough_rest_volume_level_setup_f32
+ */
+int water_trough_rest_volume_level_step_f32(
+    const water_trough_rest_volume_level_ctx_f32 *ctx, float theta, float *s);
+
+/**
+ * @brief What level surfaces, which the other kernels leave out, change: their moment, the part
+ *     of the stiffness that they take, and how high water stands at the lower walls.
+ *
+ * Cost: 65 flops (37 mul, 21 add, 6 div, 1 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: I_zz, I_t, Gamma_t, mu, r_f, r_A, r_B, omega_s, q_pump,
+ *     band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
+ *     range [-0.001, 0.001]; each tick
+ * @param[out] M_level moment of level surfaces on the trough, N*m (water_trough-M_level)
+ * @param[out] loss part of the stiffness that level surfaces take away, rad
+ *     (water_trough-softer)
+ * @param[out] wall_1 height of level water over the floor, at the lower wall of container 1, m
+ *     (water_trough-wall_1)
+ * @param[out] wall_2 height of level water over the floor, at the lower wall of container 2, m
+ *     (water_trough-wall_2)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
+ *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: a container lies on its side
+ *   LIMIT: level water would stand higher than a wall
+ *   LIMIT: a level surface would bare a part of a floor
+ *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
+ * @see water_trough_free_surface_setup_f32
+ * @see water_trough_free_surface_step_f32
+ */
+int water_trough_free_surface_f32(
+    const water_trough_params_f32 *p, float theta, float s, float *M_level, float *loss,
+    float *wall_1, float *wall_2);
+
+/**
+ * @brief What free_surface_setup hands to free_surface_step: 19 numbers.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of free_surface_setup and a mark from its end, if it did not
+ *     refuse. Without the mark free_surface_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
+ */
+typedef struct {
+  volatile unsigned long ready;
+  float m1;
+  float m2;
+  float h_10;
+  float m3;
+  float x_1;
+  float m4;
+  float m5;
+  float h_20;
+  float m6;
+  float x_2;
+  float S_t_xi;
+  float y_1;
+  float m7;
+  float y_2;
+  float S_t_eta;
+  float m8;
+  float m9;
+  float m10;
+  float h_max;
+} water_trough_free_surface_ctx_f32;
+
+/**
+ * @brief Set-up of free_surface: all of it that changes with the mount only.
+ *
+ * Cost: 25 flops (18 mul, 5 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
+ * @param[in] p parameters; not read: I_zz, I_t, Gamma_t, mu, r_f, r_A, r_B, omega_s, q_pump,
+ *     band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[out] ctx what free_surface_step reads; not ready where the status is negative, whatever
+ *     it held before
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ * @see water_trough_free_surface_f32
+ * @see water_trough_free_surface_step_f32
+ */
+int water_trough_free_surface_setup_f32(
+    const water_trough_params_f32 *p, water_trough_free_surface_ctx_f32 *ctx);
+
+/**
+ * @brief Step of free_surface. What level surfaces, which the other kernels leave out, change:
+ *     their moment, the part of the stiffness that they take, and how high water stands at the
+ *     lower walls.
+ *
+ * Cost: 42 flops (21 mul, 16 add, 4 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * @param[in] ctx what free_surface_setup left; refused if it is not ready
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
+ *     range [-0.001, 0.001]; each tick
+ * @param[out] M_level moment of level surfaces on the trough, N*m (water_trough-M_level)
+ * @param[out] loss part of the stiffness that level surfaces take away, rad
+ *     (water_trough-softer)
+ * @param[out] wall_1 height of level water over the floor, at the lower wall of container 1, m
+ *     (water_trough-wall_1)
+ * @param[out] wall_2 height of level water over the floor, at the lower wall of container 2, m
+ *     (water_trough-wall_2)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
+ *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: a container lies on its side
+ *   LIMIT: level water would stand higher than a wall
+ *   LIMIT: a level surface would bare a part of a floor
+ *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see water_trough_free_surface_f32
+ * @see water_trough_free_surface_setup_f32
+ */
+int water_trough_free_surface_step_f32(
+    const water_trough_free_surface_ctx_f32 *ctx, float theta, float s, float *M_level,
+    float *loss, float *wall_1, float *wall_2);
+
+/**
+ * @brief Power of the pump, and what the bearings turn into heat.
+ *
+ * Cost: 274 flops (173 mul, 94 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
+ *     cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[in] omega angular velocity of the trough, rad/s, refused outside [-1000, 1000], working
+ *     range [-1, 1]; each tick
+ * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
+ *     range [-0.001, 0.001]; each tick
+ * @param[in] q flow from container 2 to 1, m^3/s, refused outside [-10, 10], working range
+ *     [-0.001, 0.001]; each tick
+ * @param[in] q_dot rate of the flow, m^3/s^2, refused outside [-1000, 1000], working range
+ *     [-0.01, 0.01]; each tick
+ * @param[out] pump power of the pump, without what the tube loses, W (water_trough-pumped)
+ * @param[out] heat power that the bearings turn into heat, W (water_trough-lost)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
+ *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
+ *   UNREACHABLE: the bearings jam, or the trough has no inertia
+ *   LIMIT: a container is empty: its pump draws air
+ *   STICKING: friction holds the trough: the acceleration is 0
+ * @see water_trough_power_setup_f32
+ * @see water_trough_power_step_f32
+ */
+int water_trough_power_f32(
+    const water_trough_params_f32 *p, float theta, float omega, float s, float q, float q_dot,
+    float *pump, float *heat);
+
+/**
+ * @brief What power_setup hands to power_step: 35 numbers.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of power_setup and a mark from its end, if it did not refuse.
+ *     Without the mark power_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
+ * It holds water_trough-arm.
+ */
+typedef struct {
+  volatile unsigned long ready;
+  float m1;
+  float x_1;
+  float m2;
+  float x_2;
+  float rho;
+  float h_10;
+  float h_20;
+  float Gamma_t;
+  float m3;
+  float m4;
+  float y_1;
+  float y_2;
+  float m5;
+  float S_t_xi;
+  float m6;
+  float S_t_eta;
+  float m7;
+  float arm;
+  float m8;
+  float m9;
+  float I_zz;
+  float I_t;
+  float g;
+  float m10;
+  float m11;
+  float m12;
+  float m13;
+  float m14;
+  float m15;
+  float m16;
+  float m17;
+  float m18;
+  float m19;
+  float h_max;
+  int m20;
+} water_trough_power_ctx_f32;
+
+/**
+ * @brief Set-up of power: all of it that changes with the mount only.
+ *
+ * Cost: 51 flops (37 mul, 11 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
+ *     cross_axis_tilt, rotation_min, rotation_max
+ * @param[out] ctx what power_step reads; not ready where the status is negative, whatever it
+ *     held before
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ * @see water_trough_power_f32
+ * @see water_trough_power_step_f32
+ */
+int water_trough_power_setup_f32(
+    const water_trough_params_f32 *p, water_trough_power_ctx_f32 *ctx);
+
+/**
+ * @brief Step of power. Power of the pump, and what the bearings turn into heat.
+ *
+ * Cost: 223 flops (136 mul, 83 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
+ * @param[in] ctx what power_setup left; refused if it is not ready
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[in] omega angular velocity of the trough, rad/s, refused outside [-1000, 1000], working
+ *     range [-1, 1]; each tick
+ * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
+ *     range [-0.001, 0.001]; each tick
+ * @param[in] q flow from container 2 to 1, m^3/s, refused outside [-10, 10], working range
+ *     [-0.001, 0.001]; each tick
+ * @param[in] q_dot rate of the flow, m^3/s^2, refused outside [-1000, 1000], working range
+ *     [-0.01, 0.01]; each tick
+ * @param[out] pump power of the pump, without what the tube loses, W (water_trough-pumped)
+ * @param[out] heat power that the bearings turn into heat, W (water_trough-lost)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
+ *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
+ *   UNREACHABLE: the bearings jam, or the trough has no inertia
+ *   LIMIT: a container is empty: its pump draws air
+ *   STICKING: friction holds the trough: the acceleration is 0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see water_trough_power_f32
+ * @see water_trough_power_setup_f32
+ */
+int water_trough_power_step_f32(
+    const water_trough_power_ctx_f32 *ctx, float theta, float omega, float s, float q,
+    float q_dot, float *pump, float *heat);
+
+/**
+ * @brief Angular velocity at which smooth friction lets creep what dry friction would hold.
+ *
+ * Cost: 55 flops (32 mul, 18 add, 3 div, 2 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, r_A, r_B, q_pump, band_on, band_off,
+ *     lag, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
+ *     range [-0.001, 0.001]; each tick
+ * @param[out] omega angular velocity at which the trough creeps under smooth friction, the water
+ *     at rest, rad/s (water_trough-creep)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
+ *     ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   LIMIT: a container is empty: its pump draws air
+ *   UNREACHABLE: the weight overcomes friction: nothing holds
+ * @see water_trough_creep_setup_f32
+ * @see water_trough_creep_step_f32
+ */
+int water_trough_creep_f32(const water_trough_params_f32 *p, float theta, float s, float *omega);
+
+/**
+ * @brief What creep_setup hands to creep_step: 19 numbers.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of creep_setup and a mark from its end, if it did not refuse.
+ *     Without the mark creep_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
+ * It holds water_trough-arm.
+ */
+typedef struct {
+  volatile unsigned long ready;
+  float m1;
+  float h_10;
+  float m2;
+  float m3;
+  float h_20;
+  float m4;
+  float x_1;
+  float m5;
+  float x_2;
+  float S_t_xi;
+  float y_1;
+  float m6;
+  float y_2;
+  float S_t_eta;
+  float g;
+  float m7;
+  float arm;
+  float omega_s;
+  float h_max;
+} water_trough_creep_ctx_f32;
+
+/**
+ * @brief Set-up of creep: all of it that changes with the mount only.
+ *
+ * Cost: 20 flops (14 mul, 4 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, r_A, r_B, q_pump, band_on, band_off,
+ *     lag, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[out] ctx what creep_step reads; not ready where the status is negative, whatever it
+ *     held before
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ * @see water_trough_creep_f32
+ * @see water_trough_creep_step_f32
+ */
+int water_trough_creep_setup_f32(
+    const water_trough_params_f32 *p, water_trough_creep_ctx_f32 *ctx);
+
+/**
+ * @brief Step of creep. Angular velocity at which smooth friction lets creep what dry friction
+ *     would hold.
+ *
+ * Cost: 37 flops (20 mul, 14 add, 1 div, 2 sqrt), 2 sin/cos, 0 atan2.
+ * @param[in] ctx what creep_setup left; refused if it is not ready
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
+ *     range [-0.001, 0.001]; each tick
+ * @param[out] omega angular velocity at which the trough creeps under smooth friction, the water
+ *     at rest, rad/s (water_trough-creep)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
+ *     ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   LIMIT: a container is empty: its pump draws air
+ *   UNREACHABLE: the weight overcomes friction: nothing holds
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see water_trough_creep_f32
+ * @see water_trough_creep_setup_f32
+ */
+int water_trough_creep_step_f32(
+    const water_trough_creep_ctx_f32 *ctx, float theta, float s, float *omega);
+
+/**
+ * @brief Forces of the bearings without symmetry, at an acceleration; the force along the axis
+ *     and the moment about O, frame of the trough.
+ *
+ * Cost: 238 flops (143 mul, 92 add, 3 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: mu, r_f, omega_s, q_pump, band_on, band_off, lag, gcr,
+ *     cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[in] omega angular velocity of the trough, rad/s, refused outside [-1000, 1000], working
+ *     range [-1, 1]; each tick
+ * @param[in] alpha angular acceleration of the trough, rad/s^2, refused outside [-1e+06, 1e+06],
+ *     working range [-1, 1]; each tick
+ * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
+ *     range [-0.001, 0.001]; each tick
+ * @param[in] q flow from container 2 to 1, m^3/s, refused outside [-10, 10], working range
+ *     [-0.001, 0.001]; each tick
+ * @param[in] q_dot rate of the flow, m^3/s^2, refused outside [-1000, 1000], working range
+ *     [-0.01, 0.01]; each tick
+ * @param[in] z_1 place of container 1 along the axis, m, refused outside [-100000, 100000],
+ *     working range [-0.3, 0.3]; held by the mount
+ * @param[in] z_2 place of container 2 along the axis, m, refused outside [-100000, 100000],
+ *     working range [-0.3, 0.3]; held by the mount
+ * @param[in] S_z first moment along z of all but the containers' water, m*kg, refused outside
+ *     [-100000, 100000], working range [-5, 5]; held by the mount
+ * @param[in] D_xi product of inertia of xi and z of all but the containers' water, m^2*kg,
+ *     refused outside [-100000, 100000], working range [-2, 2]; held by the mount
+ * @param[in] D_eta the same of eta and z, m^2*kg, refused outside [-100000, 100000], working
+ *     range [-2, 2]; held by the mount
+ * @param[in] G_xi integral of eta d(z) - z d(eta) along the tube from container 2 to 1, m^2,
+ *     refused outside [-100000, 100000], working range [-0.3, 0.3]; held by the mount
+ * @param[in] G_eta integral of z d(xi) - xi d(z) along it, m^2, refused outside [-100000,
+ *     100000], working range [-0.3, 0.3]; held by the mount
+ * @param[out] F_A force of bearing A on the trough without symmetry, level and upward, N
+ *     (water_trough-F_A_off)
+ * @param[out] F_B force of bearing B on the trough without symmetry, level and upward, N
+ *     (water_trough-F_B_off)
+ * @param[out] F_z force along the axis that must act from outside, N (water_trough-F_z)
+ * @param[out] M_O moment about O that must act from outside, besides the weight, N*m
+ *     (water_trough-M_O)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
+ *     ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   LIMIT: a container is empty: its pump draws air
+ * @see water_trough_reactions_off_setup_f32
+ * @see water_trough_reactions_off_step_f32
+ */
+int water_trough_reactions_off_f32(
+    const water_trough_params_f32 *p, float theta, float omega, float alpha, float s, float q,
+    float q_dot, float z_1, float z_2, float S_z, float D_xi, float D_eta, float G_xi,
+    float G_eta, float F_A[2], float F_B[2], float *F_z, float M_O[3]);
+
+/**
+ * @brief What reactions_off_setup hands to reactions_off_step: 33 numbers.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of reactions_off_setup and a mark from its end, if it did not
+ *     refuse. Without the mark reactions_off_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
+ */
+typedef struct {
+  volatile unsigned long ready;
+  float m1;
+  float m2;
+  float x_1;
+  float m3;
+  float m4;
+  float x_2;
+  float h_10;
+  float y_1;
+  float h_20;
+  float y_2;
+  float m5;
+  float S_t_xi;
+  float m6;
+  float S_t_eta;
+  float m7;
+  float r_B;
+  float z_1;
+  float D_xi;
+  float z_2;
+  float D_eta;
+  float m8;
+  float I_zz;
+  float m9;
+  float I_t;
+  float rho;
+  float G_xi;
+  float Gamma_t;
+  float G_eta;
+  float S_z;
+  float g;
+  float m10;
+  float r_A;
+  float h_max;
+} water_trough_reactions_off_ctx_f32;
+
+/**
+ * @brief Set-up of reactions_off: all of it that changes with the mount only.
+ *
+ * Cost: 30 flops (18 mul, 9 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
+ * @param[in] p parameters; not read: mu, r_f, omega_s, q_pump, band_on, band_off, lag, gcr,
+ *     cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] z_1 place of container 1 along the axis, m, refused outside [-100000, 100000],
+ *     working range [-0.3, 0.3]; held by the mount
+ * @param[in] z_2 place of container 2 along the axis, m, refused outside [-100000, 100000],
+ *     working range [-0.3, 0.3]; held by the mount
+ * @param[in] S_z first moment along z of all but the containers' water, m*kg, refused outside
+ *     [-100000, 100000], working range [-5, 5]; held by the mount
+ * @param[in] D_xi product of inertia of xi and z of all but the containers' water, m^2*kg,
+ *     refused outside [-100000, 100000], working range [-2, 2]; held by the mount
+ * @param[in] D_eta the same of eta and z, m^2*kg, refused outside [-100000, 100000], working
+ *     range [-2, 2]; held by the mount
+ * @param[in] G_xi integral of eta d(z) - z d(eta) along the tube from container 2 to 1, m^2,
+ *     refused outside [-100000, 100000], working range [-0.3, 0.3]; held by the mount
+ * @param[in] G_eta integral of z d(xi) - xi d(z) along it, m^2, refused outside [-100000,
+ *     100000], working range [-0.3, 0.3]; held by the mount
+ * @param[out] ctx what reactions_off_step reads; not ready where the status is negative,
+ *     whatever it held before
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ * @see water_trough_reactions_off_f32
+ * @see water_trough_reactions_off_step_f32
+ */
+int water_trough_reactions_off_setup_f32(
+    const water_trough_params_f32 *p, float z_1, float z_2, float S_z, float D_xi, float D_eta,
+    float G_xi, float G_eta, water_trough_reactions_off_ctx_f32 *ctx);
+
+/**
+ * @brief Step of reactions_off. Forces of the bearings without symmetry, at an acceleration; the
+ *     force along the axis and the moment about O, frame of the trough.
+ *
+ * Cost: 208 flops (125 mul, 83 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * @param[in] ctx what reactions_off_setup left; refused if it is not ready
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[in] omega angular velocity of the trough, rad/s, refused outside [-1000, 1000], working
+ *     range [-1, 1]; each tick
+ * @param[in] alpha angular acceleration of the trough, rad/s^2, refused outside [-1e+06, 1e+06],
+ *     working range [-1, 1]; each tick
+ * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
+ *     range [-0.001, 0.001]; each tick
+ * @param[in] q flow from container 2 to 1, m^3/s, refused outside [-10, 10], working range
+ *     [-0.001, 0.001]; each tick
+ * @param[in] q_dot rate of the flow, m^3/s^2, refused outside [-1000, 1000], working range
+ *     [-0.01, 0.01]; each tick
+ * @param[out] F_A force of bearing A on the trough without symmetry, level and upward, N
+ *     (water_trough-F_A_off)
+ * @param[out] F_B force of bearing B on the trough without symmetry, level and upward, N
+ *     (water_trough-F_B_off)
+ * @param[out] F_z force along the axis that must act from outside, N (water_trough-F_z)
+ * @param[out] M_O moment about O that must act from outside, besides the weight, N*m
+ *     (water_trough-M_O)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
+ *     ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   LIMIT: a container is empty: its pump draws air
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see water_trough_reactions_off_f32
+ * @see water_trough_reactions_off_setup_f32
+ */
+int water_trough_reactions_off_step_f32(
+    const water_trough_reactions_off_ctx_f32 *ctx, float theta, float omega, float alpha, float s,
+    float q, float q_dot, float F_A[2], float F_B[2], float *F_z, float M_O[3]);
+
+/**
+ * @brief Length, mass and moments of a straight part of the tube; those of the parts add up.
+ *
+ * Cost: 28 flops (17 mul, 10 add, 0 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10,
+ *     h_20, h_max, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s,
+ *     q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] xi_a where a straight part of the tube begins, along xi, m, refused outside [-100,
+ *     100], working range [0, 1]; each tick
+ * @param[in] eta_a where it begins, along eta, m, refused outside [-100, 100], working range
+ *     [-0.5, 0.1]; each tick
+ * @param[in] xi_b where it ends, on the way to container 1, along xi, m, refused outside [-100,
+ *     100], working range [-1, 0]; each tick
+ * @param[in] eta_b where it ends, along eta, m, refused outside [-100, 100], working range
+ *     [-0.5, 0.1]; each tick
+ * @param[out] L_part length of a straight part of the tube, m (water_trough-L_part)
+ * @param[out] m_part mass of its water, kg (water_trough-m_part)
+ * @param[out] S_xi_part first moment of its water along xi, m*kg (water_trough-S_xi_part)
+ * @param[out] S_eta_part first moment of its water along eta, m*kg (water_trough-S_eta_part)
+ * @param[out] I_part second moment of its water about the axis, m^2*kg (water_trough-I_part)
+ * @param[out] Gamma_part twice the area that it sweeps about the axis, m^2
+ *     (water_trough-Gamma_part)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see water_trough_tube_part_setup_f32
+ * @see water_trough_tube_part_step_f32
+ */
+int water_trough_tube_part_f32(
+    const water_trough_params_f32 *p, float xi_a, float eta_a, float xi_b, float eta_b,
+    float *L_part, float *m_part, float *S_xi_part, float *S_eta_part, float *I_part,
+    float *Gamma_part);
+
+/**
+ * @brief What tube_part_setup hands to tube_part_step: 1 number.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of tube_part_setup and a mark from its end, if it did not
+ *     refuse. Without the mark tube_part_step answers ARMILLARY_OUT_OF_RANGE and writes nothing:
+ *     a machine does not go on with a mount that was never told, or that was told wrong.
+ */
+typedef struct {
+  volatile unsigned long ready;
+  float m1;
+} water_trough_tube_part_ctx_f32;
+
+/**
+ * @brief Set-up of tube_part: all of it that changes with the mount only.
+ *
+ * Cost: 1 flops (1 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
+ * @param[in] p parameters; not read: M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10,
+ *     h_20, h_max, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s,
+ *     q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[out] ctx what tube_part_step reads; not ready where the status is negative, whatever it
+ *     held before
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see water_trough_tube_part_f32
+ * @see water_trough_tube_part_step_f32
+ */
+int water_trough_tube_part_setup_f32(
+    const water_trough_params_f32 *p, water_trough_tube_part_ctx_f32 *ctx);
+
+/**
+ * @brief Step of tube_part. Length, mass and moments of a straight part of the tube; those of
+ *     the parts add up.
+ *
+ * Cost: 27 flops (16 mul, 10 add, 0 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * @param[in] ctx what tube_part_setup left; refused if it is not ready
+ * @param[in] xi_a where a straight part of the tube begins, along xi, m, refused outside [-100,
+ *     100], working range [0, 1]; each tick
+ * @param[in] eta_a where it begins, along eta, m, refused outside [-100, 100], working range
+ *     [-0.5, 0.1]; each tick
+ * @param[in] xi_b where it ends, on the way to container 1, along xi, m, refused outside [-100,
+ *     100], working range [-1, 0]; each tick
+ * @param[in] eta_b where it ends, along eta, m, refused outside [-100, 100], working range
+ *     [-0.5, 0.1]; each tick
+ * @param[out] L_part length of a straight part of the tube, m (water_trough-L_part)
+ * @param[out] m_part mass of its water, kg (water_trough-m_part)
+ * @param[out] S_xi_part first moment of its water along xi, m*kg (water_trough-S_xi_part)
+ * @param[out] S_eta_part first moment of its water along eta, m*kg (water_trough-S_eta_part)
+ * @param[out] I_part second moment of its water about the axis, m^2*kg (water_trough-I_part)
+ * @param[out] Gamma_part twice the area that it sweeps about the axis, m^2
+ *     (water_trough-Gamma_part)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see water_trough_tube_part_f32
+ * @see water_trough_tube_part_setup_f32
+ */
+int water_trough_tube_part_step_f32(
+    const water_trough_tube_part_ctx_f32 *ctx, float xi_a, float eta_a, float xi_b, float eta_b,
+    float *L_part, float *m_part, float *S_xi_part, float *S_eta_part, float *I_part,
+    float *Gamma_part);
+
+/**
+ * @brief The steady cycle of an on-off pump: time for which it runs, period, turn of the trough,
+ *     and the error at which the trough comes to rest.
+ *
+ * Cost: 530 flops (209 mul, 260 add, 40 div, 21 sqrt), 66 sin/cos, 4 atan2.
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, gcr, cross_axis_tilt, rotation_min,
+ *     rotation_max
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
  * @param[in] theta_dot_ref rate at which the trough is to turn, rad/s, refused outside [-1000,
  *     1000], working range [-0.01, 0.01]; each tick
- * @param[out] t_on time for which the pump runs in a cycle, s (water_trough-t_on)
+ * @param[out] t_on time for which the pump runs in a cycle, from the middle of one change of the
+ *     flow to that of the other, s (water_trough-t_on)
  * @param[out] t_cycle period of the cycle of an on-off pump, s (water_trough-t_cycle)
+ * @param[out] travel turn of the trough in a cycle, rad (water_trough-travel)
+ * @param[out] error_rest error of the angle, in the sense of the motion, when the trough comes
+ *     to rest, rad (water_trough-error_rest)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
- *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *     ARMILLARY_NOT_CONVERGED, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  *   LIMIT: a container is empty: its pump draws air
  *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
- *   UNREACHABLE: the sun outruns the pump
+ *   UNREACHABLE: the errors at which the pump starts and stops contradict
+ *   UNREACHABLE: the trough does not swing: no weight, or too much friction
+ *   UNREACHABLE: the sun outruns the pump, or water turns the other way
+ *   UNREACHABLE: friction does not hold the trough where it coasts to
+ *   UNREACHABLE: the trough coasts past the sun and starts the other pump
+ *   NOT_CONVERGED: no cycle was found
  *   SINGULAR: a sun that stands still starts no pump
  * @see water_trough_cycle_setup_f32
  * @see water_trough_cycle_step_f32
  */
 int water_trough_cycle_f32(
-    const water_trough_params_f32 *p, float s, float theta_dot_ref, float *t_on, float *t_cycle);
+    const water_trough_params_f32 *p, float s, float theta_dot_ref, float *t_on, float *t_cycle,
+    float *travel, float *error_rest);
 
 /**
- * @brief What cycle_setup hands to cycle_step: 23 numbers.
+ * @brief What cycle_setup hands to cycle_step: 35 numbers.
  * Its fields may change from version to version: do not store or send it, and set it up again
  *     after recompiling. No argument and no result may lie in it.
  * ready is 0 from the beginning of cycle_setup and a mark from its end, if it did not refuse.
@@ -1645,22 +2447,36 @@ typedef struct {
   float m10;
   float m11;
   float m12;
+  float m13;
+  float I_zz;
+  float m14;
+  float I_t;
+  float g;
+  float m15;
+  float m16;
   float q_pump;
+  float lag;
+  float Gamma_t;
+  float rho;
   float swept;
+  float band_on;
   float h_max;
+  int m17;
 } water_trough_cycle_ctx_f32;
 
 /**
  * @brief Set-up of cycle: all of it that changes with the mount only.
  *
- * Cost: 22 flops (15 mul, 5 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 40 flops (28 mul, 10 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B,
- *     omega_s, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, gcr, cross_axis_tilt, rotation_min,
+ *     rotation_max
  * @param[out] ctx what cycle_step reads; not ready where the status is negative, whatever it
  *     held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: the errors at which the pump starts and stops contradict
  * @see water_trough_cycle_f32
  * @see water_trough_cycle_step_f32
  */
@@ -1668,22 +2484,31 @@ int water_trough_cycle_setup_f32(
     const water_trough_params_f32 *p, water_trough_cycle_ctx_f32 *ctx);
 
 /**
- * @brief Step of cycle. Time for which an on-off pump runs, and period of its cycle.
+ * @brief Step of cycle. The steady cycle of an on-off pump: time for which it runs, period, turn
+ *     of the trough, and the error at which the trough comes to rest.
  *
- * Cost: 43 flops (21 mul, 18 add, 3 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * Cost: 490 flops (181 mul, 250 add, 38 div, 21 sqrt), 64 sin/cos, 4 atan2.
  * @param[in] ctx what cycle_setup left; refused if it is not ready
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
  * @param[in] theta_dot_ref rate at which the trough is to turn, rad/s, refused outside [-1000,
  *     1000], working range [-0.01, 0.01]; each tick
- * @param[out] t_on time for which the pump runs in a cycle, s (water_trough-t_on)
+ * @param[out] t_on time for which the pump runs in a cycle, from the middle of one change of the
+ *     flow to that of the other, s (water_trough-t_on)
  * @param[out] t_cycle period of the cycle of an on-off pump, s (water_trough-t_cycle)
+ * @param[out] travel turn of the trough in a cycle, rad (water_trough-travel)
+ * @param[out] error_rest error of the angle, in the sense of the motion, when the trough comes
+ *     to rest, rad (water_trough-error_rest)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
- *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *     ARMILLARY_NOT_CONVERGED, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
  *   LIMIT: a container is empty: its pump draws air
  *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
- *   UNREACHABLE: the sun outruns the pump
+ *   UNREACHABLE: the trough does not swing: no weight, or too much friction
+ *   UNREACHABLE: the sun outruns the pump, or water turns the other way
+ *   UNREACHABLE: friction does not hold the trough where it coasts to
+ *   UNREACHABLE: the trough coasts past the sun and starts the other pump
+ *   NOT_CONVERGED: no cycle was found
  *   SINGULAR: a sun that stands still starts no pump
  *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
  * @see water_trough_cycle_f32
@@ -1691,7 +2516,7 @@ int water_trough_cycle_setup_f32(
  */
 int water_trough_cycle_step_f32(
     const water_trough_cycle_ctx_f32 *ctx, float s, float theta_dot_ref, float *t_on,
-    float *t_cycle);
+    float *t_cycle, float *travel, float *error_rest);
 
 /** State of the pump control, kept from call to call. */
 typedef struct {
@@ -1715,27 +2540,29 @@ int water_trough_pump_control_init_f32(
 /**
  * @brief An on-off pump with a dead band, and guards of the levels.
  *
- * Cost: 7 flops (2 mul, 3 add, 2 div, 0 sqrt), 2 sin/cos, 1 atan2.
- * @param[in] p parameters; not read: M, l, lam, I_zz, w, x_1, y_1, x_2, y_2, a_t, L_t, m_t,
- *     S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A, r_B, omega_s, gcr, cross_axis_tilt,
- *     rotation_min, rotation_max
- * @param[in,out] s_value state of the pump control; untouched where the status is negative
- * @param[in] theta_ref angle wanted, rad, refused outside [-1000, 1000], working range [-1.6,
- *     1.6]; each tick
+ * Cost: 3 flops (2 mul, 1 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
+ * @param[in] p parameters; not read: M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10,
+ *     h_20, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A, r_B, omega_s,
+ *     lag, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in,out] s state of the pump control; untouched where the status is negative
+ * @param[in] theta_ref angle wanted; at night, where the single axis answers BELOW_HORIZON, the
+ *     angle to wait at, rad, refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] theta_measured angle measured, rad, refused outside [-1000, 1000], working range
  *     [-1.6, 1.6]; each tick
- * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
- *     range [-0.001, 0.001]; each tick
+ * @param[in] level_1 level measured in container 1, m, refused outside [-10, 10], working range
+ *     [0, 0.3]; each tick
+ * @param[in] level_2 level measured in container 2, m, refused outside [-10, 10], working range
+ *     [0, 0.3]; each tick
  * @param[out] flow flow from container 2 to 1 that the pump gives, m^3/s (water_trough-flow)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the errors at which the pump starts and stops contradict
  *   LIMIT: the levels forbid the pump that is asked for
- *   LIMIT: a container overflows, or should hold less than nothing
+ *   LIMIT: a level measured lies outside its container
  */
 int water_trough_pump_control_update_f32(
-    const water_trough_params_f32 *p, water_trough_pump_control_state_f32 *s_value,
-    float theta_ref, float theta_measured, float s, float *flow);
+    const water_trough_params_f32 *p, water_trough_pump_control_state_f32 *s, float theta_ref,
+    float theta_measured, float level_1, float level_2, float *flow);
 
 /**
  * @brief Rotation of a single axis to the sun, and what it misses.
@@ -1830,7 +2657,7 @@ int water_trough_single_axis_step_f32(
  * Cost: 35 flops (19 mul, 12 add, 1 div, 3 sqrt), 8 sin/cos, 3 atan2.
  * @param[in] p parameters; not read: M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10,
  *     h_20, h_max, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A, r_B,
- *     omega_s, q_pump, band_on, band_off
+ *     omega_s, q_pump, band_on, band_off, lag
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
  *     than 1e-3; each tick
  * @param[in] axis_azimuth azimuth of the direction towards which the axis slopes down, clockwise
@@ -1882,7 +2709,7 @@ typedef struct {
  *     step on the same ctx.
  * @param[in] p parameters; not read: M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10,
  *     h_20, h_max, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A, r_B,
- *     omega_s, q_pump, band_on, band_off
+ *     omega_s, q_pump, band_on, band_off, lag
  * @param[in] axis_azimuth azimuth of the direction towards which the axis slopes down, clockwise
  *     from north, rad, refused outside [-1000, 1000], working range [0, 6.3]; held by the mount
  * @param[in] axis_tilt tilt of the axis against the level, rad, refused outside [-1000, 1000],
@@ -1972,11 +2799,10 @@ typedef struct {
   double L_t;
   /** Mass of the water in the tube, kg, refused outside [0, 100000], working range [0.1, 3]. */
   double m_t;
-  /** First moment of the water in the tube along xi, m*kg, refused outside [-100000, 100000],
-      working range [-0.3, 0.3]. */
+  /** First moment S_t of the water in the tube: its component along xi, given by itself, m*kg,
+      refused outside [-100000, 100000], working range [-0.3, 0.3]. */
   double S_t_xi;
-  /** First moment of the water in the tube along eta, m*kg, refused outside [-100000, 100000],
-      working range [-0.3, 0.3]. */
+  /** The same along eta, m*kg, refused outside [-100000, 100000], working range [-0.3, 0.3]. */
   double S_t_eta;
   /** Second moment of the water in the tube about the axis, m^2*kg, refused outside [0, 1e+06],
       working range [0, 2]. */
@@ -2002,8 +2828,8 @@ typedef struct {
   /** Angular velocity at which smooth friction has 0.71 of its size, rad/s, refused outside
       [1e-09, 1000], working range [0.0001, 0.1]. */
   double omega_s;
-  /** Flow of the pump when it runs, m^3/s, refused outside [0, 1000], working range [1e-06,
-      0.001]. */
+  /** Flow of the pump when it runs, m^3/s, refused outside [0, 1000], working range [2e-06,
+      2e-05]. */
   double q_pump;
   /** Error of the angle at which the pump starts, rad, refused outside [0, 10], working range
       [0.001, 0.05]. */
@@ -2011,6 +2837,10 @@ typedef struct {
   /** Error of the angle, in the sense of the motion, at which the pump stops; negative lets it
       run ahead of the sun, rad, refused outside [-10, 10], working range [-0.05, 0]. */
   double band_off;
+  /** Time from where the error asks for a change of the flow to the middle of that change: half
+      of a sampling period and half of a ramp, s, refused outside [0, 1000], working range [0, 1].
+      */
+  double lag;
   /** Ground cover ratio: width of a collector over the level distance of two axes, on a slope
       too, refused outside [0.001, 1000], working range [0.1, 0.9]. */
   double gcr;
@@ -2029,8 +2859,8 @@ typedef struct {
  *
  * Cost: 10 flops (6 mul, 2 add, 2 div, 0 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] p parameters; not read: M, l, lam, I_zz, w, x_1, y_1, x_2, y_2, a_t, L_t, m_t,
- *     S_t_xi, S_t_eta, I_t, Gamma_t, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, gcr,
- *     cross_axis_tilt, rotation_min, rotation_max
+ *     S_t_xi, S_t_eta, I_t, Gamma_t, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag,
+ *     gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
  * @param[out] h_1 level in container 1, m (water_trough-h_1)
@@ -2074,8 +2904,8 @@ typedef struct {
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
  * @param[in] p parameters; not read: M, l, lam, I_zz, w, x_1, y_1, x_2, y_2, a_t, L_t, m_t,
- *     S_t_xi, S_t_eta, I_t, Gamma_t, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, gcr,
- *     cross_axis_tilt, rotation_min, rotation_max
+ *     S_t_xi, S_t_eta, I_t, Gamma_t, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag,
+ *     gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what levels_step reads; not ready where the status is negative, whatever it
  *     held before
  * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
@@ -2111,8 +2941,8 @@ int water_trough_levels_step_f64(
 /**
  * @brief Kinetic and potential energy of trough and water.
  *
- * Cost: 77 flops (46 mul, 28 add, 3 div, 0 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: m_t, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off,
+ * Cost: 85 flops (53 mul, 29 add, 3 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag,
  *     gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -2128,6 +2958,9 @@ int water_trough_levels_step_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   LIMIT: a container is empty: its pump draws air
  * @see water_trough_energy_setup_f64
  * @see water_trough_energy_step_f64
@@ -2164,25 +2997,26 @@ typedef struct {
   double rho;
   double m7;
   double m8;
-  double m9;
   double S_t_xi;
-  double m10;
+  double m9;
   double S_t_eta;
   double g;
   double h_max;
+  int m10;
 } water_trough_energy_ctx_f64;
 
 /**
  * @brief Set-up of energy: all of it that changes with the mount only.
  *
- * Cost: 19 flops (12 mul, 4 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 24 flops (16 mul, 5 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: m_t, mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off,
+ * @param[in] p parameters; not read: mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag,
  *     gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what energy_step reads; not ready where the status is negative, whatever it
  *     held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_energy_f64
  * @see water_trough_energy_step_f64
  */
@@ -2192,7 +3026,7 @@ int water_trough_energy_setup_f64(
 /**
  * @brief Step of energy. Kinetic and potential energy of trough and water.
  *
- * Cost: 58 flops (34 mul, 24 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 61 flops (37 mul, 24 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] ctx what energy_setup left; refused if it is not ready
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -2208,6 +3042,8 @@ int water_trough_energy_setup_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   LIMIT: a container is empty: its pump draws air
  *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
  * @see water_trough_energy_f64
@@ -2218,11 +3054,12 @@ int water_trough_energy_step_f64(
     double *T, double *V);
 
 /**
- * @brief Angular acceleration with dry friction, and whether it holds the trough.
+ * @brief Angular acceleration with dry friction, and whether it holds the trough. An empty
+ *     container's LIMIT hides STICKING: friction holds where omega and alpha are 0.
  *
- * Cost: 192 flops (118 mul, 68 add, 4 div, 2 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: a_t, L_t, r_A, r_B, omega_s, q_pump, band_on, band_off,
- *     gcr, cross_axis_tilt, rotation_min, rotation_max
+ * Cost: 206 flops (128 mul, 71 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
+ *     cross_axis_tilt, rotation_min, rotation_max
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] omega angular velocity of the trough, rad/s, refused outside [-1000, 1000], working
@@ -2237,6 +3074,9 @@ int water_trough_energy_step_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   STICKING: friction holds the trough: the acceleration is 0
@@ -2248,7 +3088,7 @@ int water_trough_acceleration_f64(
     double q_dot, double *alpha);
 
 /**
- * @brief What acceleration_setup hands to acceleration_step: 24 numbers.
+ * @brief What acceleration_setup hands to acceleration_step: 26 numbers.
  * Its fields may change from version to version: do not store or send it, and set it up again
  *     after recompiling. No argument and no result may lie in it.
  * ready is 0 from the beginning of acceleration_setup and a mark from its end, if it did not
@@ -2283,19 +3123,22 @@ typedef struct {
   double Gamma_t;
   double g;
   double h_max;
+  double m10;
+  int m11;
 } water_trough_acceleration_ctx_f64;
 
 /**
  * @brief Set-up of acceleration: all of it that changes with the mount only.
  *
- * Cost: 26 flops (17 mul, 7 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 33 flops (22 mul, 8 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: a_t, L_t, r_A, r_B, omega_s, q_pump, band_on, band_off,
- *     gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
+ *     cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what acceleration_step reads; not ready where the status is negative, whatever
  *     it held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_acceleration_f64
  * @see water_trough_acceleration_step_f64
  */
@@ -2304,9 +3147,10 @@ int water_trough_acceleration_setup_f64(
 
 /**
  * @brief Step of acceleration. Angular acceleration with dry friction, and whether it holds the
- *     trough.
+ *     trough. An empty container's LIMIT hides STICKING: friction holds where omega and alpha
+ *     are 0.
  *
- * Cost: 166 flops (101 mul, 61 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 173 flops (106 mul, 63 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] ctx what acceleration_setup left; refused if it is not ready
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -2322,6 +3166,8 @@ int water_trough_acceleration_setup_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   STICKING: friction holds the trough: the acceleration is 0
@@ -2336,8 +3182,8 @@ int water_trough_acceleration_step_f64(
 /**
  * @brief The same with friction that grows with the speed and never holds.
  *
- * Cost: 191 flops (116 mul, 68 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: a_t, L_t, r_A, r_B, q_pump, band_on, band_off, gcr,
+ * Cost: 205 flops (126 mul, 71 add, 6 div, 2 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: r_A, r_B, q_pump, band_on, band_off, lag, gcr,
  *     cross_axis_tilt, rotation_min, rotation_max
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -2354,6 +3200,9 @@ int water_trough_acceleration_step_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  * @see water_trough_acceleration_smooth_setup_f64
@@ -2364,7 +3213,7 @@ int water_trough_acceleration_smooth_f64(
     double q_dot, double *alpha);
 
 /**
- * @brief What acceleration_smooth_setup hands to acceleration_smooth_step: 25 numbers.
+ * @brief What acceleration_smooth_setup hands to acceleration_smooth_step: 27 numbers.
  * Its fields may change from version to version: do not store or send it, and set it up again
  *     after recompiling. No argument and no result may lie in it.
  * ready is 0 from the beginning of acceleration_smooth_setup and a mark from its end, if it did
@@ -2400,19 +3249,22 @@ typedef struct {
   double m10;
   double arm;
   double h_max;
+  double m11;
+  int m12;
 } water_trough_acceleration_smooth_ctx_f64;
 
 /**
  * @brief Set-up of acceleration_smooth: all of it that changes with the mount only.
  *
- * Cost: 27 flops (18 mul, 7 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 34 flops (23 mul, 8 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: a_t, L_t, r_A, r_B, q_pump, band_on, band_off, gcr,
+ * @param[in] p parameters; not read: r_A, r_B, q_pump, band_on, band_off, lag, gcr,
  *     cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what acceleration_smooth_step reads; not ready where the status is negative,
  *     whatever it held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_acceleration_smooth_f64
  * @see water_trough_acceleration_smooth_step_f64
  */
@@ -2423,7 +3275,7 @@ int water_trough_acceleration_smooth_setup_f64(
  * @brief Step of acceleration_smooth. The same with friction that grows with the speed and never
  *     holds.
  *
- * Cost: 164 flops (98 mul, 61 add, 3 div, 2 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 171 flops (103 mul, 63 add, 3 div, 2 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] ctx what acceleration_smooth_setup left; refused if it is not ready
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -2440,6 +3292,8 @@ int water_trough_acceleration_smooth_setup_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
@@ -2453,8 +3307,8 @@ int water_trough_acceleration_smooth_step_f64(
 /**
  * @brief Moments of friction of the bearings on the trough.
  *
- * Cost: 195 flops (119 mul, 69 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: a_t, L_t, omega_s, q_pump, band_on, band_off, gcr,
+ * Cost: 209 flops (129 mul, 72 add, 6 div, 2 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: omega_s, q_pump, band_on, band_off, lag, gcr,
  *     cross_axis_tilt, rotation_min, rotation_max
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -2472,6 +3326,9 @@ int water_trough_acceleration_smooth_step_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   STICKING: friction holds the trough: the acceleration is 0
@@ -2483,7 +3340,7 @@ int water_trough_friction_f64(
     double q_dot, double *M_FA, double *M_FB, double *M_F);
 
 /**
- * @brief What friction_setup hands to friction_step: 26 numbers.
+ * @brief What friction_setup hands to friction_step: 28 numbers.
  * Its fields may change from version to version: do not store or send it, and set it up again
  *     after recompiling. No argument and no result may lie in it.
  * ready is 0 from the beginning of friction_setup and a mark from its end, if it did not refuse.
@@ -2519,19 +3376,22 @@ typedef struct {
   double share_A;
   double m10;
   double h_max;
+  double m11;
+  int m12;
 } water_trough_friction_ctx_f64;
 
 /**
  * @brief Set-up of friction: all of it that changes with the mount only.
  *
- * Cost: 29 flops (17 mul, 9 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 36 flops (22 mul, 10 add, 4 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: a_t, L_t, omega_s, q_pump, band_on, band_off, gcr,
+ * @param[in] p parameters; not read: omega_s, q_pump, band_on, band_off, lag, gcr,
  *     cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what friction_step reads; not ready where the status is negative, whatever it
  *     held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_friction_f64
  * @see water_trough_friction_step_f64
  */
@@ -2541,7 +3401,7 @@ int water_trough_friction_setup_f64(
 /**
  * @brief Step of friction. Moments of friction of the bearings on the trough.
  *
- * Cost: 166 flops (102 mul, 60 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 173 flops (107 mul, 62 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] ctx what friction_setup left; refused if it is not ready
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -2559,6 +3419,8 @@ int water_trough_friction_setup_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   STICKING: friction holds the trough: the acceleration is 0
@@ -2573,8 +3435,8 @@ int water_trough_friction_step_f64(
 /**
  * @brief Forces of the bearings on the trough, level and upward.
  *
- * Cost: 215 flops (132 mul, 76 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: a_t, L_t, omega_s, q_pump, band_on, band_off, gcr,
+ * Cost: 229 flops (142 mul, 79 add, 6 div, 2 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: omega_s, q_pump, band_on, band_off, lag, gcr,
  *     cross_axis_tilt, rotation_min, rotation_max
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -2593,6 +3455,9 @@ int water_trough_friction_step_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   STICKING: friction holds the trough: the acceleration is 0
@@ -2604,7 +3469,7 @@ int water_trough_reactions_f64(
     double q_dot, double F_A[2], double F_B[2]);
 
 /**
- * @brief What reactions_setup hands to reactions_step: 26 numbers.
+ * @brief What reactions_setup hands to reactions_step: 28 numbers.
  * Its fields may change from version to version: do not store or send it, and set it up again
  *     after recompiling. No argument and no result may lie in it.
  * ready is 0 from the beginning of reactions_setup and a mark from its end, if it did not
@@ -2640,19 +3505,22 @@ typedef struct {
   double share_A;
   double m10;
   double h_max;
+  double m11;
+  int m12;
 } water_trough_reactions_ctx_f64;
 
 /**
  * @brief Set-up of reactions: all of it that changes with the mount only.
  *
- * Cost: 29 flops (17 mul, 9 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 36 flops (22 mul, 10 add, 4 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: a_t, L_t, omega_s, q_pump, band_on, band_off, gcr,
+ * @param[in] p parameters; not read: omega_s, q_pump, band_on, band_off, lag, gcr,
  *     cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what reactions_step reads; not ready where the status is negative, whatever it
  *     held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_reactions_f64
  * @see water_trough_reactions_step_f64
  */
@@ -2662,7 +3530,7 @@ int water_trough_reactions_setup_f64(
 /**
  * @brief Step of reactions. Forces of the bearings on the trough, level and upward.
  *
- * Cost: 186 flops (115 mul, 67 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 193 flops (120 mul, 69 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] ctx what reactions_setup left; refused if it is not ready
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -2681,6 +3549,8 @@ int water_trough_reactions_setup_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   STICKING: friction holds the trough: the acceleration is 0
@@ -2695,8 +3565,8 @@ int water_trough_reactions_step_f64(
 /**
  * @brief Pressure that the pump must give, without losses in the tube.
  *
- * Cost: 264 flops (164 mul, 93 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, gcr,
+ * Cost: 272 flops (171 mul, 94 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
  *     cross_axis_tilt, rotation_min, rotation_max
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -2713,6 +3583,9 @@ int water_trough_reactions_step_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   STICKING: friction holds the trough: the acceleration is 0
@@ -2724,7 +3597,7 @@ int water_trough_pump_pressure_f64(
     double q_dot, double *pressure);
 
 /**
- * @brief What pump_pressure_setup hands to pump_pressure_step: 34 numbers.
+ * @brief What pump_pressure_setup hands to pump_pressure_step: 35 numbers.
  * Its fields may change from version to version: do not store or send it, and set it up again
  *     after recompiling. No argument and no result may lie in it.
  * ready is 0 from the beginning of pump_pressure_setup and a mark from its end, if it did not
@@ -2769,19 +3642,21 @@ typedef struct {
   double m18;
   double m19;
   double h_max;
+  int m20;
 } water_trough_pump_pressure_ctx_f64;
 
 /**
  * @brief Set-up of pump_pressure: all of it that changes with the mount only.
  *
- * Cost: 45 flops (32 mul, 10 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 51 flops (37 mul, 11 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, gcr,
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
  *     cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what pump_pressure_step reads; not ready where the status is negative,
  *     whatever it held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_pump_pressure_f64
  * @see water_trough_pump_pressure_step_f64
  */
@@ -2791,7 +3666,7 @@ int water_trough_pump_pressure_setup_f64(
 /**
  * @brief Step of pump_pressure. Pressure that the pump must give, without losses in the tube.
  *
- * Cost: 219 flops (132 mul, 83 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 221 flops (134 mul, 83 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] ctx what pump_pressure_setup left; refused if it is not ready
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -2808,6 +3683,8 @@ int water_trough_pump_pressure_setup_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   STICKING: friction holds the trough: the acceleration is 0
@@ -2822,9 +3699,9 @@ int water_trough_pump_pressure_step_f64(
 /**
  * @brief Angle at which the trough rests without friction, in [-pi, pi].
  *
- * Cost: 36 flops (19 mul, 14 add, 2 div, 1 sqrt), 2 sin/cos, 1 atan2.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B,
- *     omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * Cost: 40 flops (22 mul, 15 add, 2 div, 1 sqrt), 2 sin/cos, 1 atan2.
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s,
+ *     q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
  * @param[out] theta angle at which the trough rests without friction, in [-pi, pi], rad
@@ -2832,6 +3709,7 @@ int water_trough_pump_pressure_step_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  *   LIMIT: a container is empty: its pump draws air
  *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
  * @see water_trough_rest_angle_setup_f64
@@ -2871,14 +3749,15 @@ typedef struct {
 /**
  * @brief Set-up of rest_angle: all of it that changes with the mount only.
  *
- * Cost: 14 flops (9 mul, 3 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 18 flops (12 mul, 4 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B,
- *     omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s,
+ *     q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what rest_angle_step reads; not ready where the status is negative, whatever
  *     it held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_rest_angle_f64
  * @see water_trough_rest_angle_step_f64
  */
@@ -2909,9 +3788,9 @@ int water_trough_rest_angle_step_f64(
 /**
  * @brief About the rest: stiffness, period of small swings, and turn per volume moved.
  *
- * Cost: 89 flops (52 mul, 31 add, 4 div, 2 sqrt), 2 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: a_t, L_t, Gamma_t, mu, r_f, r_A, r_B, omega_s, q_pump,
- *     band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * Cost: 108 flops (65 mul, 36 add, 5 div, 2 sqrt), 2 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag,
+ *     gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
  * @param[out] stiffness moment per angle that drives the trough back to rest, N*m
@@ -2922,6 +3801,9 @@ int water_trough_rest_angle_step_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   LIMIT: a container is empty: its pump draws air
  *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
  * @see water_trough_rest_setup_f64
@@ -2931,7 +3813,7 @@ int water_trough_rest_f64(
     const water_trough_params_f64 *p, double s, double *stiffness, double *period, double *gain);
 
 /**
- * @brief What rest_setup hands to rest_step: 26 numbers.
+ * @brief What rest_setup hands to rest_step: 30 numbers.
  * Its fields may change from version to version: do not store or send it, and set it up again
  *     after recompiling. No argument and no result may lie in it.
  * ready is 0 from the beginning of rest_setup and a mark from its end, if it did not refuse.
@@ -2966,19 +3848,24 @@ typedef struct {
   double m13;
   double m14;
   double h_max;
+  double m15;
+  double rho;
+  double Gamma_t;
+  int m16;
 } water_trough_rest_ctx_f64;
 
 /**
  * @brief Set-up of rest: all of it that changes with the mount only.
  *
- * Cost: 31 flops (21 mul, 8 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 38 flops (26 mul, 9 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: a_t, L_t, Gamma_t, mu, r_f, r_A, r_B, omega_s, q_pump,
- *     band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] p parameters; not read: mu, r_f, r_A, r_B, omega_s, q_pump, band_on, band_off, lag,
+ *     gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what rest_step reads; not ready where the status is negative, whatever it held
  *     before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_rest_f64
  * @see water_trough_rest_step_f64
  */
@@ -2988,7 +3875,7 @@ int water_trough_rest_setup_f64(const water_trough_params_f64 *p, water_trough_r
  * @brief Step of rest. About the rest: stiffness, period of small swings, and turn per volume
  *     moved.
  *
- * Cost: 58 flops (31 mul, 23 add, 2 div, 2 sqrt), 0 sin/cos, 0 atan2.
+ * Cost: 70 flops (39 mul, 27 add, 2 div, 2 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] ctx what rest_setup left; refused if it is not ready
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
@@ -3000,6 +3887,8 @@ int water_trough_rest_setup_f64(const water_trough_params_f64 *p, water_trough_r
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   LIMIT: a container is empty: its pump draws air
  *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
  *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
@@ -3014,9 +3903,9 @@ int water_trough_rest_step_f64(
  * @brief About the rest, without friction: the deviation accelerates by -swing times itself,
  *     pull times the volume moved since, and -kick times the rate of the flow.
  *
- * Cost: 102 flops (63 mul, 34 add, 4 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: a_t, L_t, r_A, r_B, omega_s, q_pump, band_on, band_off,
- *     gcr, cross_axis_tilt, rotation_min, rotation_max
+ * Cost: 116 flops (73 mul, 37 add, 5 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
+ *     cross_axis_tilt, rotation_min, rotation_max
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
  * @param[out] swing square of the angular frequency of small swings, 1/s^2 (water_trough-swing)
@@ -3026,6 +3915,9 @@ int water_trough_rest_step_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
@@ -3036,7 +3928,7 @@ int water_trough_linear_f64(
     const water_trough_params_f64 *p, double s, double *swing, double *pull, double *kick);
 
 /**
- * @brief What linear_setup hands to linear_step: 29 numbers.
+ * @brief What linear_setup hands to linear_step: 31 numbers.
  * Its fields may change from version to version: do not store or send it, and set it up again
  *     after recompiling. No argument and no result may lie in it.
  * ready is 0 from the beginning of linear_setup and a mark from its end, if it did not refuse.
@@ -3074,20 +3966,23 @@ typedef struct {
   double Gamma_t;
   double rho;
   double h_max;
+  double m15;
+  int m16;
   double arm;
 } water_trough_linear_ctx_f64;
 
 /**
  * @brief Set-up of linear: all of it that changes with the mount only.
  *
- * Cost: 33 flops (23 mul, 8 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 40 flops (28 mul, 9 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: a_t, L_t, r_A, r_B, omega_s, q_pump, band_on, band_off,
- *     gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
+ *     cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what linear_step reads; not ready where the status is negative, whatever it
  *     held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_linear_f64
  * @see water_trough_linear_step_f64
  */
@@ -3098,7 +3993,7 @@ int water_trough_linear_setup_f64(
  * @brief Step of linear. About the rest, without friction: the deviation accelerates by -swing
  *     times itself, pull times the volume moved since, and -kick times the rate of the flow.
  *
- * Cost: 69 flops (40 mul, 26 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * Cost: 76 flops (45 mul, 28 add, 2 div, 1 sqrt), 0 sin/cos, 0 atan2.
  * @param[in] ctx what linear_setup left; refused if it is not ready
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
@@ -3109,6 +4004,8 @@ int water_trough_linear_setup_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
  *   UNREACHABLE: the bearings jam, or the trough has no inertia
  *   LIMIT: a container is empty: its pump draws air
  *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
@@ -3122,9 +4019,9 @@ int water_trough_linear_step_f64(
 /**
  * @brief Half of the range of angles about the rest where friction holds the trough.
  *
- * Cost: 44 flops (23 mul, 16 add, 3 div, 2 sqrt), 2 sin/cos, 1 atan2.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, r_A, r_B, omega_s, q_pump,
- *     band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * Cost: 48 flops (26 mul, 17 add, 3 div, 2 sqrt), 2 sin/cos, 1 atan2.
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, r_A, r_B, omega_s, q_pump, band_on,
+ *     band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
  * @param[out] half_width half of the range of angles about the rest where friction holds the
@@ -3132,6 +4029,7 @@ int water_trough_linear_step_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_CLAMPED,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  *   LIMIT: a container is empty: its pump draws air
  *   CLAMPED: friction holds the trough at every angle
  * @see water_trough_stick_band_setup_f64
@@ -3173,14 +4071,15 @@ typedef struct {
 /**
  * @brief Set-up of stick_band: all of it that changes with the mount only.
  *
- * Cost: 17 flops (12 mul, 3 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 21 flops (15 mul, 4 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, r_A, r_B, omega_s, q_pump,
- *     band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, r_A, r_B, omega_s, q_pump, band_on,
+ *     band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what stick_band_step reads; not ready where the status is negative, whatever
  *     it held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_stick_band_f64
  * @see water_trough_stick_band_step_f64
  */
@@ -3212,9 +4111,9 @@ int water_trough_stick_band_step_f64(
 /**
  * @brief Flow at which the rest turns at a rate.
  *
- * Cost: 60 flops (35 mul, 20 add, 4 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B,
- *     omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * Cost: 64 flops (38 mul, 21 add, 4 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s,
+ *     q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
  * @param[in] theta_dot_ref rate at which the trough is to turn, rad/s, refused outside [-1000,
@@ -3223,6 +4122,7 @@ int water_trough_stick_band_step_f64(
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
  *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  *   LIMIT: a container is empty: its pump draws air
  *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
  *   SINGULAR: moving water turns nothing
@@ -3268,14 +4168,15 @@ typedef struct {
 /**
  * @brief Set-up of follow: all of it that changes with the mount only.
  *
- * Cost: 21 flops (15 mul, 4 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 25 flops (18 mul, 5 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B,
- *     omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s,
+ *     q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what follow_step reads; not ready where the status is negative, whatever it
  *     held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_follow_f64
  * @see water_trough_follow_step_f64
  */
@@ -3308,14 +4209,15 @@ int water_trough_follow_step_f64(
 /**
  * @brief Volume at which the trough rests at an angle.
  *
- * Cost: 82 flops (48 mul, 30 add, 3 div, 1 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, m_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B,
- *     omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * Cost: 135 flops (77 mul, 53 add, 4 div, 1 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s,
+ *     q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] s volume at which the trough rests at this angle without friction, m^3
  *     (water_trough-s_rest)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  *   UNREACHABLE: no volume makes the trough rest at this angle
  *   UNREACHABLE: the rest at this angle does not last
  * @see water_trough_rest_volume_setup_f64
@@ -3360,14 +4262,15 @@ typedef struct {
 /**
  * @brief Set-up of rest_volume: all of it that changes with the mount only.
  *
- * Cost: 43 flops (26 mul, 15 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 47 flops (29 mul, 16 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, m_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B,
- *     omega_s, q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s,
+ *     q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what rest_volume_step reads; not ready where the status is negative, whatever
  *     it held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_rest_volume_f64
  * @see water_trough_rest_volume_step_f64
  */
@@ -3377,7 +4280,7 @@ int water_trough_rest_volume_setup_f64(
 /**
  * @brief Step of rest_volume. Volume at which the trough rests at an angle.
  *
- * Cost: 38 flops (21 mul, 15 add, 1 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 88 flops (48 mul, 37 add, 2 div, 1 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] ctx what rest_volume_setup left; refused if it is not ready
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -3397,9 +4300,9 @@ int water_trough_rest_volume_step_f64(
  * @brief Volumes at which the trough breaks away from an angle in either sense, and the water to
  *     be moved between them.
  *
- * Cost: 85 flops (48 mul, 31 add, 4 div, 2 sqrt), 4 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, g, r_A, r_B, omega_s,
- *     q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * Cost: 148 flops (81 mul, 56 add, 8 div, 3 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, g, r_A, r_B, omega_s, q_pump,
+ *     band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[out] s_on volume at which the trough breaks away towards positive angles, m^3
@@ -3409,6 +4312,7 @@ int water_trough_rest_volume_step_f64(
  * @param[out] reversal volume to be moved before the trough reverses, m^3
  *     (water_trough-reversal)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  *   UNREACHABLE: no volume turns the trough on from this angle
  *   UNREACHABLE: no volume turns it back
  * @see water_trough_stick_volumes_setup_f64
@@ -3419,7 +4323,7 @@ int water_trough_stick_volumes_f64(
     double *reversal);
 
 /**
- * @brief What stick_volumes_setup hands to stick_volumes_step: 11 numbers.
+ * @brief What stick_volumes_setup hands to stick_volumes_step: 21 numbers.
  * Its fields may change from version to version: do not store or send it, and set it up again
  *     after recompiling. No argument and no result may lie in it.
  * ready is 0 from the beginning of stick_volumes_setup and a mark from its end, if it did not
@@ -3436,24 +4340,35 @@ typedef struct {
   double m4;
   double m5;
   double m6;
-  double m7;
   double h_1;
-  double m8;
+  double m7;
   double h_2;
   double h_max;
+  double m8;
+  double x_1;
+  double m9;
+  double m10;
+  double x_2;
+  double S_t_xi;
+  double y_1;
+  double m11;
+  double y_2;
+  double S_t_eta;
+  double m12;
 } water_trough_stick_volumes_ctx_f64;
 
 /**
  * @brief Set-up of stick_volumes: all of it that changes with the mount only.
  *
- * Cost: 52 flops (32 mul, 18 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 56 flops (35 mul, 19 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, g, r_A, r_B, omega_s,
- *     q_pump, band_on, band_off, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, g, r_A, r_B, omega_s, q_pump,
+ *     band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
  * @param[out] ctx what stick_volumes_step reads; not ready where the status is negative,
  *     whatever it held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  * @see water_trough_stick_volumes_f64
  * @see water_trough_stick_volumes_step_f64
  */
@@ -3464,7 +4379,7 @@ int water_trough_stick_volumes_setup_f64(
  * @brief Step of stick_volumes. Volumes at which the trough breaks away from an angle in either
  *     sense, and the water to be moved between them.
  *
- * Cost: 32 flops (15 mul, 13 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 92 flops (46 mul, 37 add, 6 div, 3 sqrt), 2 sin/cos, 0 atan2.
  * @param[in] ctx what stick_volumes_setup left; refused if it is not ready
  * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
  *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
@@ -3486,33 +4401,747 @@ int water_trough_stick_volumes_step_f64(
     double *reversal);
 
 /**
- * @brief Time for which an on-off pump runs, and period of its cycle.
+ * @brief Volume at which the trough rests at an angle when the water's surfaces are level.
  *
- * Cost: 65 flops (36 mul, 23 add, 5 div, 1 sqrt), 2 sin/cos, 0 atan2.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B,
- *     omega_s, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * Cost: 154 flops (88 mul, 58 add, 7 div, 1 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: I_zz, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s, q_pump,
+ *     band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[out] s volume at which the trough rests at this angle when the surfaces are level, m^3
+ *     (water_trough-s_level)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: a container lies on its side
+ *   UNREACHABLE: no volume makes the trough rest at this angle
+ *   UNREACHABLE: the rest at this angle does not last
+ * @see water_trough_rest_volume_level_setup_f64
+ * @see water_trough_rest_volume_level_step_f64
+ */
+int water_trough_rest_volume_level_f64(const water_trough_params_f64 *p, double theta, double *s);
+
+/**
+ * @brief What rest_volume_level_setup hands to rest_volume_level_step: 21 numbers.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of rest_volume_level_setup and a mark from its end, if it did
+ *     not refuse. Without the mark rest_volume_level_step answers ARMILLARY_OUT_OF_RANGE and
+ *     writes nothing: a machine does not go on with a mount that was never told, or that was
+ *     told wrong.
+ * It holds water_trough-h_1, water_trough-h_2.
+ */
+typedef struct {
+  volatile unsigned long ready;
+  double m1;
+  double m2;
+  double m3;
+  double m4;
+  double m5;
+  double m6;
+  double m7;
+  double h_1;
+  double m8;
+  double h_2;
+  double h_max;
+  double m9;
+  double x_1;
+  double m10;
+  double m11;
+  double x_2;
+  double S_t_xi;
+  double y_1;
+  double m12;
+  double y_2;
+  double S_t_eta;
+} water_trough_rest_volume_level_ctx_f64;
+
+/**
+ * @brief Set-up of rest_volume_level: all of it that changes with the mount only.
+ *
+ * Cost: 52 flops (33 mul, 17 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
+ * @param[in] p parameters; not read: I_zz, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s, q_pump,
+ *     band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[out] ctx what rest_volume_level_step reads; not ready where the status is negative,
+ *     whatever it held before
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ * @see water_trough_rest_volume_level_f64
+ * @see water_trough_rest_volume_level_step_f64
+ */
+int water_trough_rest_volume_level_setup_f64(
+    const water_trough_params_f64 *p, water_trough_rest_volume_level_ctx_f64 *ctx);
+
+/**
+ * @brief Step of rest_volume_level. Volume at which the trough rests at an angle when the
+ *     water's surfaces are level.
+ *
+ * Cost: 102 flops (55 mul, 41 add, 5 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * @param[in] ctx what rest_volume_level_setup left; refused if it is not ready
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[out] s volume at which the trough rests at this angle when the surfaces are level, m^3
+ *     (water_trough-s_level)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a container lies on its side
+ *   UNREACHABLE: no volume makes the trough rest at this angle
+ *   UNREACHABLE: the rest at this angle does not last
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see water_trough_rest_volume_level_f64
+ * @see water_trough_rest_volume_level_setup_f64
+ */
+int water_trough_rest_volume_level_step_f64(
+    const water_trough_rest_volume_level_ctx_f64 *ctx, double theta, double *s);
+
+/**
+ * @brief What level surfaces, which the other kernels leave out, change: their moment, the part
+ *     of the stiffness that they take, and how high water stands at the lower walls.
+ *
+ * Cost: 65 flops (37 mul, 21 add, 6 div, 1 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: I_zz, I_t, Gamma_t, mu, r_f, r_A, r_B, omega_s, q_pump,
+ *     band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
+ *     range [-0.001, 0.001]; each tick
+ * @param[out] M_level moment of level surfaces on the trough, N*m (water_trough-M_level)
+ * @param[out] loss part of the stiffness that level surfaces take away, rad
+ *     (water_trough-softer)
+ * @param[out] wall_1 height of level water over the floor, at the lower wall of container 1, m
+ *     (water_trough-wall_1)
+ * @param[out] wall_2 height of level water over the floor, at the lower wall of container 2, m
+ *     (water_trough-wall_2)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
+ *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: a container lies on its side
+ *   LIMIT: level water would stand higher than a wall
+ *   LIMIT: a level surface would bare a part of a floor
+ *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
+ * @see water_trough_free_surface_setup_f64
+ * @see water_trough_free_surface_step_f64
+ */
+int water_trough_free_surface_f64(
+    const water_trough_params_f64 *p, double theta, double s, double *M_level, double *loss,
+    double *wall_1, double *wall_2);
+
+/**
+ * @brief What free_surface_setup hands to free_surface_step: 19 numbers.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of free_surface_setup and a mark from its end, if it did not
+ *     refuse. Without the mark free_surface_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
+ */
+typedef struct {
+  volatile unsigned long ready;
+  double m1;
+  double m2;
+  double h_10;
+  double m3;
+  double x_1;
+  double m4;
+  double m5;
+  double h_20;
+  double m6;
+  double x_2;
+  double S_t_xi;
+  double y_1;
+  double m7;
+  double y_2;
+  double S_t_eta;
+  double m8;
+  double m9;
+  double m10;
+  double h_max;
+} water_trough_free_surface_ctx_f64;
+
+/**
+ * @brief Set-up of free_surface: all of it that changes with the mount only.
+ *
+ * Cost: 25 flops (18 mul, 5 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
+ * @param[in] p parameters; not read: I_zz, I_t, Gamma_t, mu, r_f, r_A, r_B, omega_s, q_pump,
+ *     band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[out] ctx what free_surface_step reads; not ready where the status is negative, whatever
+ *     it held before
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ * @see water_trough_free_surface_f64
+ * @see water_trough_free_surface_step_f64
+ */
+int water_trough_free_surface_setup_f64(
+    const water_trough_params_f64 *p, water_trough_free_surface_ctx_f64 *ctx);
+
+/**
+ * @brief Step of free_surface. What level surfaces, which the other kernels leave out, change:
+ *     their moment, the part of the stiffness that they take, and how high water stands at the
+ *     lower walls.
+ *
+ * Cost: 42 flops (21 mul, 16 add, 4 div, 1 sqrt), 2 sin/cos, 0 atan2.
+ * @param[in] ctx what free_surface_setup left; refused if it is not ready
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
+ *     range [-0.001, 0.001]; each tick
+ * @param[out] M_level moment of level surfaces on the trough, N*m (water_trough-M_level)
+ * @param[out] loss part of the stiffness that level surfaces take away, rad
+ *     (water_trough-softer)
+ * @param[out] wall_1 height of level water over the floor, at the lower wall of container 1, m
+ *     (water_trough-wall_1)
+ * @param[out] wall_2 height of level water over the floor, at the lower wall of container 2, m
+ *     (water_trough-wall_2)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
+ *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: a container lies on its side
+ *   LIMIT: level water would stand higher than a wall
+ *   LIMIT: a level surface would bare a part of a floor
+ *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see water_trough_free_surface_f64
+ * @see water_trough_free_surface_setup_f64
+ */
+int water_trough_free_surface_step_f64(
+    const water_trough_free_surface_ctx_f64 *ctx, double theta, double s, double *M_level,
+    double *loss, double *wall_1, double *wall_2);
+
+/**
+ * @brief Power of the pump, and what the bearings turn into heat.
+ *
+ * Cost: 274 flops (173 mul, 94 add, 5 div, 2 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
+ *     cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[in] omega angular velocity of the trough, rad/s, refused outside [-1000, 1000], working
+ *     range [-1, 1]; each tick
+ * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
+ *     range [-0.001, 0.001]; each tick
+ * @param[in] q flow from container 2 to 1, m^3/s, refused outside [-10, 10], working range
+ *     [-0.001, 0.001]; each tick
+ * @param[in] q_dot rate of the flow, m^3/s^2, refused outside [-1000, 1000], working range
+ *     [-0.01, 0.01]; each tick
+ * @param[out] pump power of the pump, without what the tube loses, W (water_trough-pumped)
+ * @param[out] heat power that the bearings turn into heat, W (water_trough-lost)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
+ *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
+ *   UNREACHABLE: the bearings jam, or the trough has no inertia
+ *   LIMIT: a container is empty: its pump draws air
+ *   STICKING: friction holds the trough: the acceleration is 0
+ * @see water_trough_power_setup_f64
+ * @see water_trough_power_step_f64
+ */
+int water_trough_power_f64(
+    const water_trough_params_f64 *p, double theta, double omega, double s, double q,
+    double q_dot, double *pump, double *heat);
+
+/**
+ * @brief What power_setup hands to power_step: 35 numbers.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of power_setup and a mark from its end, if it did not refuse.
+ *     Without the mark power_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
+ * It holds water_trough-arm.
+ */
+typedef struct {
+  volatile unsigned long ready;
+  double m1;
+  double x_1;
+  double m2;
+  double x_2;
+  double rho;
+  double h_10;
+  double h_20;
+  double Gamma_t;
+  double m3;
+  double m4;
+  double y_1;
+  double y_2;
+  double m5;
+  double S_t_xi;
+  double m6;
+  double S_t_eta;
+  double m7;
+  double arm;
+  double m8;
+  double m9;
+  double I_zz;
+  double I_t;
+  double g;
+  double m10;
+  double m11;
+  double m12;
+  double m13;
+  double m14;
+  double m15;
+  double m16;
+  double m17;
+  double m18;
+  double m19;
+  double h_max;
+  int m20;
+} water_trough_power_ctx_f64;
+
+/**
+ * @brief Set-up of power: all of it that changes with the mount only.
+ *
+ * Cost: 51 flops (37 mul, 11 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, q_pump, band_on, band_off, lag, gcr,
+ *     cross_axis_tilt, rotation_min, rotation_max
+ * @param[out] ctx what power_step reads; not ready where the status is negative, whatever it
+ *     held before
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ * @see water_trough_power_f64
+ * @see water_trough_power_step_f64
+ */
+int water_trough_power_setup_f64(
+    const water_trough_params_f64 *p, water_trough_power_ctx_f64 *ctx);
+
+/**
+ * @brief Step of power. Power of the pump, and what the bearings turn into heat.
+ *
+ * Cost: 223 flops (136 mul, 83 add, 2 div, 2 sqrt), 2 sin/cos, 0 atan2.
+ * @param[in] ctx what power_setup left; refused if it is not ready
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[in] omega angular velocity of the trough, rad/s, refused outside [-1000, 1000], working
+ *     range [-1, 1]; each tick
+ * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
+ *     range [-0.001, 0.001]; each tick
+ * @param[in] q flow from container 2 to 1, m^3/s, refused outside [-10, 10], working range
+ *     [-0.001, 0.001]; each tick
+ * @param[in] q_dot rate of the flow, m^3/s^2, refused outside [-1000, 1000], working range
+ *     [-0.01, 0.01]; each tick
+ * @param[out] pump power of the pump, without what the tube loses, W (water_trough-pumped)
+ * @param[out] heat power that the bearings turn into heat, W (water_trough-lost)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_STICKING,
+ *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: no body has so little inertia: it is below M l^2, or its kinetic energy may be
+ *     negative
+ *   UNREACHABLE: the bearings jam, or the trough has no inertia
+ *   LIMIT: a container is empty: its pump draws air
+ *   STICKING: friction holds the trough: the acceleration is 0
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see water_trough_power_f64
+ * @see water_trough_power_setup_f64
+ */
+int water_trough_power_step_f64(
+    const water_trough_power_ctx_f64 *ctx, double theta, double omega, double s, double q,
+    double q_dot, double *pump, double *heat);
+
+/**
+ * @brief Angular velocity at which smooth friction lets creep what dry friction would hold.
+ *
+ * Cost: 55 flops (32 mul, 18 add, 3 div, 2 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, r_A, r_B, q_pump, band_on, band_off,
+ *     lag, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
+ *     range [-0.001, 0.001]; each tick
+ * @param[out] omega angular velocity at which the trough creeps under smooth friction, the water
+ *     at rest, rad/s (water_trough-creep)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
+ *     ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   LIMIT: a container is empty: its pump draws air
+ *   UNREACHABLE: the weight overcomes friction: nothing holds
+ * @see water_trough_creep_setup_f64
+ * @see water_trough_creep_step_f64
+ */
+int water_trough_creep_f64(
+    const water_trough_params_f64 *p, double theta, double s, double *omega);
+
+/**
+ * @brief What creep_setup hands to creep_step: 19 numbers.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of creep_setup and a mark from its end, if it did not refuse.
+ *     Without the mark creep_step answers ARMILLARY_OUT_OF_RANGE and writes nothing: a machine
+ *     does not go on with a mount that was never told, or that was told wrong.
+ * It holds water_trough-arm.
+ */
+typedef struct {
+  volatile unsigned long ready;
+  double m1;
+  double h_10;
+  double m2;
+  double m3;
+  double h_20;
+  double m4;
+  double x_1;
+  double m5;
+  double x_2;
+  double S_t_xi;
+  double y_1;
+  double m6;
+  double y_2;
+  double S_t_eta;
+  double g;
+  double m7;
+  double arm;
+  double omega_s;
+  double h_max;
+} water_trough_creep_ctx_f64;
+
+/**
+ * @brief Set-up of creep: all of it that changes with the mount only.
+ *
+ * Cost: 20 flops (14 mul, 4 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
+ * @param[in] p parameters; not read: I_zz, w, I_t, Gamma_t, r_A, r_B, q_pump, band_on, band_off,
+ *     lag, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[out] ctx what creep_step reads; not ready where the status is negative, whatever it
+ *     held before
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ * @see water_trough_creep_f64
+ * @see water_trough_creep_step_f64
+ */
+int water_trough_creep_setup_f64(
+    const water_trough_params_f64 *p, water_trough_creep_ctx_f64 *ctx);
+
+/**
+ * @brief Step of creep. Angular velocity at which smooth friction lets creep what dry friction
+ *     would hold.
+ *
+ * Cost: 37 flops (20 mul, 14 add, 1 div, 2 sqrt), 2 sin/cos, 0 atan2.
+ * @param[in] ctx what creep_setup left; refused if it is not ready
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
+ *     range [-0.001, 0.001]; each tick
+ * @param[out] omega angular velocity at which the trough creeps under smooth friction, the water
+ *     at rest, rad/s (water_trough-creep)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
+ *     ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   LIMIT: a container is empty: its pump draws air
+ *   UNREACHABLE: the weight overcomes friction: nothing holds
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see water_trough_creep_f64
+ * @see water_trough_creep_setup_f64
+ */
+int water_trough_creep_step_f64(
+    const water_trough_creep_ctx_f64 *ctx, double theta, double s, double *omega);
+
+/**
+ * @brief Forces of the bearings without symmetry, at an acceleration; the force along the axis
+ *     and the moment about O, frame of the trough.
+ *
+ * Cost: 238 flops (143 mul, 92 add, 3 div, 0 sqrt), 4 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: mu, r_f, omega_s, q_pump, band_on, band_off, lag, gcr,
+ *     cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[in] omega angular velocity of the trough, rad/s, refused outside [-1000, 1000], working
+ *     range [-1, 1]; each tick
+ * @param[in] alpha angular acceleration of the trough, rad/s^2, refused outside [-1e+06, 1e+06],
+ *     working range [-1, 1]; each tick
+ * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
+ *     range [-0.001, 0.001]; each tick
+ * @param[in] q flow from container 2 to 1, m^3/s, refused outside [-10, 10], working range
+ *     [-0.001, 0.001]; each tick
+ * @param[in] q_dot rate of the flow, m^3/s^2, refused outside [-1000, 1000], working range
+ *     [-0.01, 0.01]; each tick
+ * @param[in] z_1 place of container 1 along the axis, m, refused outside [-100000, 100000],
+ *     working range [-0.3, 0.3]; held by the mount
+ * @param[in] z_2 place of container 2 along the axis, m, refused outside [-100000, 100000],
+ *     working range [-0.3, 0.3]; held by the mount
+ * @param[in] S_z first moment along z of all but the containers' water, m*kg, refused outside
+ *     [-100000, 100000], working range [-5, 5]; held by the mount
+ * @param[in] D_xi product of inertia of xi and z of all but the containers' water, m^2*kg,
+ *     refused outside [-100000, 100000], working range [-2, 2]; held by the mount
+ * @param[in] D_eta the same of eta and z, m^2*kg, refused outside [-100000, 100000], working
+ *     range [-2, 2]; held by the mount
+ * @param[in] G_xi integral of eta d(z) - z d(eta) along the tube from container 2 to 1, m^2,
+ *     refused outside [-100000, 100000], working range [-0.3, 0.3]; held by the mount
+ * @param[in] G_eta integral of z d(xi) - xi d(z) along it, m^2, refused outside [-100000,
+ *     100000], working range [-0.3, 0.3]; held by the mount
+ * @param[out] F_A force of bearing A on the trough without symmetry, level and upward, N
+ *     (water_trough-F_A_off)
+ * @param[out] F_B force of bearing B on the trough without symmetry, level and upward, N
+ *     (water_trough-F_B_off)
+ * @param[out] F_z force along the axis that must act from outside, N (water_trough-F_z)
+ * @param[out] M_O moment about O that must act from outside, besides the weight, N*m
+ *     (water_trough-M_O)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
+ *     ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   LIMIT: a container is empty: its pump draws air
+ * @see water_trough_reactions_off_setup_f64
+ * @see water_trough_reactions_off_step_f64
+ */
+int water_trough_reactions_off_f64(
+    const water_trough_params_f64 *p, double theta, double omega, double alpha, double s,
+    double q, double q_dot, double z_1, double z_2, double S_z, double D_xi, double D_eta,
+    double G_xi, double G_eta, double F_A[2], double F_B[2], double *F_z, double M_O[3]);
+
+/**
+ * @brief What reactions_off_setup hands to reactions_off_step: 33 numbers.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of reactions_off_setup and a mark from its end, if it did not
+ *     refuse. Without the mark reactions_off_step answers ARMILLARY_OUT_OF_RANGE and writes
+ *     nothing: a machine does not go on with a mount that was never told, or that was told
+ *     wrong.
+ */
+typedef struct {
+  volatile unsigned long ready;
+  double m1;
+  double m2;
+  double x_1;
+  double m3;
+  double m4;
+  double x_2;
+  double h_10;
+  double y_1;
+  double h_20;
+  double y_2;
+  double m5;
+  double S_t_xi;
+  double m6;
+  double S_t_eta;
+  double m7;
+  double r_B;
+  double z_1;
+  double D_xi;
+  double z_2;
+  double D_eta;
+  double m8;
+  double I_zz;
+  double m9;
+  double I_t;
+  double rho;
+  double G_xi;
+  double Gamma_t;
+  double G_eta;
+  double S_z;
+  double g;
+  double m10;
+  double r_A;
+  double h_max;
+} water_trough_reactions_off_ctx_f64;
+
+/**
+ * @brief Set-up of reactions_off: all of it that changes with the mount only.
+ *
+ * Cost: 30 flops (18 mul, 9 add, 3 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
+ * @param[in] p parameters; not read: mu, r_f, omega_s, q_pump, band_on, band_off, lag, gcr,
+ *     cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] z_1 place of container 1 along the axis, m, refused outside [-100000, 100000],
+ *     working range [-0.3, 0.3]; held by the mount
+ * @param[in] z_2 place of container 2 along the axis, m, refused outside [-100000, 100000],
+ *     working range [-0.3, 0.3]; held by the mount
+ * @param[in] S_z first moment along z of all but the containers' water, m*kg, refused outside
+ *     [-100000, 100000], working range [-5, 5]; held by the mount
+ * @param[in] D_xi product of inertia of xi and z of all but the containers' water, m^2*kg,
+ *     refused outside [-100000, 100000], working range [-2, 2]; held by the mount
+ * @param[in] D_eta the same of eta and z, m^2*kg, refused outside [-100000, 100000], working
+ *     range [-2, 2]; held by the mount
+ * @param[in] G_xi integral of eta d(z) - z d(eta) along the tube from container 2 to 1, m^2,
+ *     refused outside [-100000, 100000], working range [-0.3, 0.3]; held by the mount
+ * @param[in] G_eta integral of z d(xi) - xi d(z) along it, m^2, refused outside [-100000,
+ *     100000], working range [-0.3, 0.3]; held by the mount
+ * @param[out] ctx what reactions_off_step reads; not ready where the status is negative,
+ *     whatever it held before
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ * @see water_trough_reactions_off_f64
+ * @see water_trough_reactions_off_step_f64
+ */
+int water_trough_reactions_off_setup_f64(
+    const water_trough_params_f64 *p, double z_1, double z_2, double S_z, double D_xi,
+    double D_eta, double G_xi, double G_eta, water_trough_reactions_off_ctx_f64 *ctx);
+
+/**
+ * @brief Step of reactions_off. Forces of the bearings without symmetry, at an acceleration; the
+ *     force along the axis and the moment about O, frame of the trough.
+ *
+ * Cost: 208 flops (125 mul, 83 add, 0 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * @param[in] ctx what reactions_off_setup left; refused if it is not ready
+ * @param[in] theta turn of the trough about the axis; filling container 1 turns it on, rad,
+ *     refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
+ * @param[in] omega angular velocity of the trough, rad/s, refused outside [-1000, 1000], working
+ *     range [-1, 1]; each tick
+ * @param[in] alpha angular acceleration of the trough, rad/s^2, refused outside [-1e+06, 1e+06],
+ *     working range [-1, 1]; each tick
+ * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
+ *     range [-0.001, 0.001]; each tick
+ * @param[in] q flow from container 2 to 1, m^3/s, refused outside [-10, 10], working range
+ *     [-0.001, 0.001]; each tick
+ * @param[in] q_dot rate of the flow, m^3/s^2, refused outside [-1000, 1000], working range
+ *     [-0.01, 0.01]; each tick
+ * @param[out] F_A force of bearing A on the trough without symmetry, level and upward, N
+ *     (water_trough-F_A_off)
+ * @param[out] F_B force of bearing B on the trough without symmetry, level and upward, N
+ *     (water_trough-F_B_off)
+ * @param[out] F_z force along the axis that must act from outside, N (water_trough-F_z)
+ * @param[out] M_O moment about O that must act from outside, besides the weight, N*m
+ *     (water_trough-M_O)
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
+ *     ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   LIMIT: a container is empty: its pump draws air
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see water_trough_reactions_off_f64
+ * @see water_trough_reactions_off_setup_f64
+ */
+int water_trough_reactions_off_step_f64(
+    const water_trough_reactions_off_ctx_f64 *ctx, double theta, double omega, double alpha,
+    double s, double q, double q_dot, double F_A[2], double F_B[2], double *F_z, double M_O[3]);
+
+/**
+ * @brief Length, mass and moments of a straight part of the tube; those of the parts add up.
+ *
+ * Cost: 28 flops (17 mul, 10 add, 0 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * @param[in] p parameters; not read: M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10,
+ *     h_20, h_max, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s,
+ *     q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] xi_a where a straight part of the tube begins, along xi, m, refused outside [-100,
+ *     100], working range [0, 1]; each tick
+ * @param[in] eta_a where it begins, along eta, m, refused outside [-100, 100], working range
+ *     [-0.5, 0.1]; each tick
+ * @param[in] xi_b where it ends, on the way to container 1, along xi, m, refused outside [-100,
+ *     100], working range [-1, 0]; each tick
+ * @param[in] eta_b where it ends, along eta, m, refused outside [-100, 100], working range
+ *     [-0.5, 0.1]; each tick
+ * @param[out] L_part length of a straight part of the tube, m (water_trough-L_part)
+ * @param[out] m_part mass of its water, kg (water_trough-m_part)
+ * @param[out] S_xi_part first moment of its water along xi, m*kg (water_trough-S_xi_part)
+ * @param[out] S_eta_part first moment of its water along eta, m*kg (water_trough-S_eta_part)
+ * @param[out] I_part second moment of its water about the axis, m^2*kg (water_trough-I_part)
+ * @param[out] Gamma_part twice the area that it sweeps about the axis, m^2
+ *     (water_trough-Gamma_part)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see water_trough_tube_part_setup_f64
+ * @see water_trough_tube_part_step_f64
+ */
+int water_trough_tube_part_f64(
+    const water_trough_params_f64 *p, double xi_a, double eta_a, double xi_b, double eta_b,
+    double *L_part, double *m_part, double *S_xi_part, double *S_eta_part, double *I_part,
+    double *Gamma_part);
+
+/**
+ * @brief What tube_part_setup hands to tube_part_step: 1 number.
+ * Its fields may change from version to version: do not store or send it, and set it up again
+ *     after recompiling. No argument and no result may lie in it.
+ * ready is 0 from the beginning of tube_part_setup and a mark from its end, if it did not
+ *     refuse. Without the mark tube_part_step answers ARMILLARY_OUT_OF_RANGE and writes nothing:
+ *     a machine does not go on with a mount that was never told, or that was told wrong.
+ */
+typedef struct {
+  volatile unsigned long ready;
+  double m1;
+} water_trough_tube_part_ctx_f64;
+
+/**
+ * @brief Set-up of tube_part: all of it that changes with the mount only.
+ *
+ * Cost: 1 flops (1 mul, 0 add, 0 div, 0 sqrt), 0 sin/cos, 0 atan2.
+ * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
+ *     step on the same ctx.
+ * @param[in] p parameters; not read: M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10,
+ *     h_20, h_max, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, g, mu, r_f, r_A, r_B, omega_s,
+ *     q_pump, band_on, band_off, lag, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[out] ctx what tube_part_step reads; not ready where the status is negative, whatever it
+ *     held before
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @see water_trough_tube_part_f64
+ * @see water_trough_tube_part_step_f64
+ */
+int water_trough_tube_part_setup_f64(
+    const water_trough_params_f64 *p, water_trough_tube_part_ctx_f64 *ctx);
+
+/**
+ * @brief Step of tube_part. Length, mass and moments of a straight part of the tube; those of
+ *     the parts add up.
+ *
+ * Cost: 27 flops (16 mul, 10 add, 0 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * @param[in] ctx what tube_part_setup left; refused if it is not ready
+ * @param[in] xi_a where a straight part of the tube begins, along xi, m, refused outside [-100,
+ *     100], working range [0, 1]; each tick
+ * @param[in] eta_a where it begins, along eta, m, refused outside [-100, 100], working range
+ *     [-0.5, 0.1]; each tick
+ * @param[in] xi_b where it ends, on the way to container 1, along xi, m, refused outside [-100,
+ *     100], working range [-1, 0]; each tick
+ * @param[in] eta_b where it ends, along eta, m, refused outside [-100, 100], working range
+ *     [-0.5, 0.1]; each tick
+ * @param[out] L_part length of a straight part of the tube, m (water_trough-L_part)
+ * @param[out] m_part mass of its water, kg (water_trough-m_part)
+ * @param[out] S_xi_part first moment of its water along xi, m*kg (water_trough-S_xi_part)
+ * @param[out] S_eta_part first moment of its water along eta, m*kg (water_trough-S_eta_part)
+ * @param[out] I_part second moment of its water about the axis, m^2*kg (water_trough-I_part)
+ * @param[out] Gamma_part twice the area that it sweeps about the axis, m^2
+ *     (water_trough-Gamma_part)
+ * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
+ * @see water_trough_tube_part_f64
+ * @see water_trough_tube_part_setup_f64
+ */
+int water_trough_tube_part_step_f64(
+    const water_trough_tube_part_ctx_f64 *ctx, double xi_a, double eta_a, double xi_b,
+    double eta_b, double *L_part, double *m_part, double *S_xi_part, double *S_eta_part,
+    double *I_part, double *Gamma_part);
+
+/**
+ * @brief The steady cycle of an on-off pump: time for which it runs, period, turn of the trough,
+ *     and the error at which the trough comes to rest.
+ *
+ * Cost: 530 flops (209 mul, 260 add, 40 div, 21 sqrt), 66 sin/cos, 4 atan2.
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, gcr, cross_axis_tilt, rotation_min,
+ *     rotation_max
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
  * @param[in] theta_dot_ref rate at which the trough is to turn, rad/s, refused outside [-1000,
  *     1000], working range [-0.01, 0.01]; each tick
- * @param[out] t_on time for which the pump runs in a cycle, s (water_trough-t_on)
+ * @param[out] t_on time for which the pump runs in a cycle, from the middle of one change of the
+ *     flow to that of the other, s (water_trough-t_on)
  * @param[out] t_cycle period of the cycle of an on-off pump, s (water_trough-t_cycle)
+ * @param[out] travel turn of the trough in a cycle, rad (water_trough-travel)
+ * @param[out] error_rest error of the angle, in the sense of the motion, when the trough comes
+ *     to rest, rad (water_trough-error_rest)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
- *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *     ARMILLARY_NOT_CONVERGED, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
  *   LIMIT: a container is empty: its pump draws air
  *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
- *   UNREACHABLE: the sun outruns the pump
+ *   UNREACHABLE: the errors at which the pump starts and stops contradict
+ *   UNREACHABLE: the trough does not swing: no weight, or too much friction
+ *   UNREACHABLE: the sun outruns the pump, or water turns the other way
+ *   UNREACHABLE: friction does not hold the trough where it coasts to
+ *   UNREACHABLE: the trough coasts past the sun and starts the other pump
+ *   NOT_CONVERGED: no cycle was found
  *   SINGULAR: a sun that stands still starts no pump
  * @see water_trough_cycle_setup_f64
  * @see water_trough_cycle_step_f64
  */
 int water_trough_cycle_f64(
     const water_trough_params_f64 *p, double s, double theta_dot_ref, double *t_on,
-    double *t_cycle);
+    double *t_cycle, double *travel, double *error_rest);
 
 /**
- * @brief What cycle_setup hands to cycle_step: 23 numbers.
+ * @brief What cycle_setup hands to cycle_step: 35 numbers.
  * Its fields may change from version to version: do not store or send it, and set it up again
  *     after recompiling. No argument and no result may lie in it.
  * ready is 0 from the beginning of cycle_setup and a mark from its end, if it did not refuse.
@@ -3542,22 +5171,36 @@ typedef struct {
   double m10;
   double m11;
   double m12;
+  double m13;
+  double I_zz;
+  double m14;
+  double I_t;
+  double g;
+  double m15;
+  double m16;
   double q_pump;
+  double lag;
+  double Gamma_t;
+  double rho;
   double swept;
+  double band_on;
   double h_max;
+  int m17;
 } water_trough_cycle_ctx_f64;
 
 /**
  * @brief Set-up of cycle: all of it that changes with the mount only.
  *
- * Cost: 22 flops (15 mul, 5 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
+ * Cost: 40 flops (28 mul, 10 add, 2 div, 0 sqrt), 2 sin/cos, 0 atan2.
  * Run it again when a parameter or an argument here has changed, and not in an interrupt of a
  *     step on the same ctx.
- * @param[in] p parameters; not read: I_zz, w, a_t, L_t, I_t, Gamma_t, g, mu, r_f, r_A, r_B,
- *     omega_s, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in] p parameters; not read: r_A, r_B, omega_s, gcr, cross_axis_tilt, rotation_min,
+ *     rotation_max
  * @param[out] ctx what cycle_step reads; not ready where the status is negative, whatever it
  *     held before
- * @return ARMILLARY_OK, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *   UNREACHABLE: mass, length and cross-section of the tube contradict each other
+ *   UNREACHABLE: the errors at which the pump starts and stops contradict
  * @see water_trough_cycle_f64
  * @see water_trough_cycle_step_f64
  */
@@ -3565,22 +5208,31 @@ int water_trough_cycle_setup_f64(
     const water_trough_params_f64 *p, water_trough_cycle_ctx_f64 *ctx);
 
 /**
- * @brief Step of cycle. Time for which an on-off pump runs, and period of its cycle.
+ * @brief Step of cycle. The steady cycle of an on-off pump: time for which it runs, period, turn
+ *     of the trough, and the error at which the trough comes to rest.
  *
- * Cost: 43 flops (21 mul, 18 add, 3 div, 1 sqrt), 0 sin/cos, 0 atan2.
+ * Cost: 490 flops (181 mul, 250 add, 38 div, 21 sqrt), 64 sin/cos, 4 atan2.
  * @param[in] ctx what cycle_setup left; refused if it is not ready
  * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
  *     range [-0.001, 0.001]; each tick
  * @param[in] theta_dot_ref rate at which the trough is to turn, rad/s, refused outside [-1000,
  *     1000], working range [-0.01, 0.01]; each tick
- * @param[out] t_on time for which the pump runs in a cycle, s (water_trough-t_on)
+ * @param[out] t_on time for which the pump runs in a cycle, from the middle of one change of the
+ *     flow to that of the other, s (water_trough-t_on)
  * @param[out] t_cycle period of the cycle of an on-off pump, s (water_trough-t_cycle)
+ * @param[out] travel turn of the trough in a cycle, rad (water_trough-travel)
+ * @param[out] error_rest error of the angle, in the sense of the motion, when the trough comes
+ *     to rest, rad (water_trough-error_rest)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_SINGULAR,
- *     ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
+ *     ARMILLARY_NOT_CONVERGED, ARMILLARY_NOT_FINITE, ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: a container would overflow, or hold less than nothing
  *   LIMIT: a container is empty: its pump draws air
  *   SINGULAR: the mass centre lies on the axis, within 1e-6 m: any angle is a rest
- *   UNREACHABLE: the sun outruns the pump
+ *   UNREACHABLE: the trough does not swing: no weight, or too much friction
+ *   UNREACHABLE: the sun outruns the pump, or water turns the other way
+ *   UNREACHABLE: friction does not hold the trough where it coasts to
+ *   UNREACHABLE: the trough coasts past the sun and starts the other pump
+ *   NOT_CONVERGED: no cycle was found
  *   SINGULAR: a sun that stands still starts no pump
  *   OUT_OF_RANGE: ctx is not ready, or an argument is beyond its limits
  * @see water_trough_cycle_f64
@@ -3588,7 +5240,7 @@ int water_trough_cycle_setup_f64(
  */
 int water_trough_cycle_step_f64(
     const water_trough_cycle_ctx_f64 *ctx, double s, double theta_dot_ref, double *t_on,
-    double *t_cycle);
+    double *t_cycle, double *travel, double *error_rest);
 
 /** State of the pump control, kept from call to call. */
 typedef struct {
@@ -3612,27 +5264,29 @@ int water_trough_pump_control_init_f64(
 /**
  * @brief An on-off pump with a dead band, and guards of the levels.
  *
- * Cost: 7 flops (2 mul, 3 add, 2 div, 0 sqrt), 2 sin/cos, 1 atan2.
- * @param[in] p parameters; not read: M, l, lam, I_zz, w, x_1, y_1, x_2, y_2, a_t, L_t, m_t,
- *     S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A, r_B, omega_s, gcr, cross_axis_tilt,
- *     rotation_min, rotation_max
- * @param[in,out] s_value state of the pump control; untouched where the status is negative
- * @param[in] theta_ref angle wanted, rad, refused outside [-1000, 1000], working range [-1.6,
- *     1.6]; each tick
+ * Cost: 3 flops (2 mul, 1 add, 0 div, 0 sqrt), 2 sin/cos, 1 atan2.
+ * @param[in] p parameters; not read: M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10,
+ *     h_20, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A, r_B, omega_s,
+ *     lag, gcr, cross_axis_tilt, rotation_min, rotation_max
+ * @param[in,out] s state of the pump control; untouched where the status is negative
+ * @param[in] theta_ref angle wanted; at night, where the single axis answers BELOW_HORIZON, the
+ *     angle to wait at, rad, refused outside [-1000, 1000], working range [-1.6, 1.6]; each tick
  * @param[in] theta_measured angle measured, rad, refused outside [-1000, 1000], working range
  *     [-1.6, 1.6]; each tick
- * @param[in] s volume moved from container 2 to 1, m^3, refused outside [-1000, 1000], working
- *     range [-0.001, 0.001]; each tick
+ * @param[in] level_1 level measured in container 1, m, refused outside [-10, 10], working range
+ *     [0, 0.3]; each tick
+ * @param[in] level_2 level measured in container 2, m, refused outside [-10, 10], working range
+ *     [0, 0.3]; each tick
  * @param[out] flow flow from container 2 to 1 that the pump gives, m^3/s (water_trough-flow)
  * @return ARMILLARY_OK, ARMILLARY_UNREACHABLE, ARMILLARY_LIMIT, ARMILLARY_NOT_FINITE,
  *     ARMILLARY_OUT_OF_RANGE
  *   UNREACHABLE: the errors at which the pump starts and stops contradict
  *   LIMIT: the levels forbid the pump that is asked for
- *   LIMIT: a container overflows, or should hold less than nothing
+ *   LIMIT: a level measured lies outside its container
  */
 int water_trough_pump_control_update_f64(
-    const water_trough_params_f64 *p, water_trough_pump_control_state_f64 *s_value,
-    double theta_ref, double theta_measured, double s, double *flow);
+    const water_trough_params_f64 *p, water_trough_pump_control_state_f64 *s, double theta_ref,
+    double theta_measured, double level_1, double level_2, double *flow);
 
 /**
  * @brief Rotation of a single axis to the sun, and what it misses.
@@ -3727,7 +5381,7 @@ int water_trough_single_axis_step_f64(
  * Cost: 35 flops (19 mul, 12 add, 1 div, 3 sqrt), 8 sin/cos, 3 atan2.
  * @param[in] p parameters; not read: M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10,
  *     h_20, h_max, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A, r_B,
- *     omega_s, q_pump, band_on, band_off
+ *     omega_s, q_pump, band_on, band_off, lag
  * @param[in] enu unit vector to the sun, unit vector; refused when its square is off by more
  *     than 1e-3; each tick
  * @param[in] axis_azimuth azimuth of the direction towards which the axis slopes down, clockwise
@@ -3779,7 +5433,7 @@ typedef struct {
  *     step on the same ctx.
  * @param[in] p parameters; not read: M, l, lam, I_zz, A_1, A_2, w, x_1, y_1, x_2, y_2, h_10,
  *     h_20, h_max, a_t, L_t, m_t, S_t_xi, S_t_eta, I_t, Gamma_t, rho, g, mu, r_f, r_A, r_B,
- *     omega_s, q_pump, band_on, band_off
+ *     omega_s, q_pump, band_on, band_off, lag
  * @param[in] axis_azimuth azimuth of the direction towards which the axis slopes down, clockwise
  *     from north, rad, refused outside [-1000, 1000], working range [0, 6.3]; held by the mount
  * @param[in] axis_tilt tilt of the axis against the level, rad, refused outside [-1000, 1000],

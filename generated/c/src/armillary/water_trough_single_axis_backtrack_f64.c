@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xd3493230UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
