@@ -11,27 +11,31 @@ from tests.targets.compilers import needs
 from tests.targets.reference import ROUNDINGS, points
 
 pytestmark = [pytest.mark.tool, needs("gcc")]
-STEPS = 7
+STEPS, MOUNTS = 7, 40
 
 
 def one_mount(printed, system, name, dtype):
-    """Arguments of a set-up, and of some steps after it."""
+    """Arguments of a set-up that is accepted, the context it made, and of some steps after it."""
     stages = printed.stages[system, name]
-    given = points(printed.compiled[system, name].program, STEPS, dtype)
+    given = points(printed.compiled[system, name].program, MOUNTS, dtype)
     kernel = stages.setup.kernel
     mount = {q.name for q in (*kernel.inputs, *kernel.parameters)}
     mount -= {q.name for q in (*stages.step.kernel.inputs, *stages.step.kernel.parameters)}
-    return (
-        {n: a[0] for n, a in given.items() if n in mount},
-        {n: a for n, a in given.items() if n not in mount},
-    )
+    setup = getattr(getattr(printed.module("native"), system), f"{name}_setup")
+    # What a mount is of need not fit together where each part is drawn from its range.
+    for row in range(MOUNTS):
+        read = {n: a[row] for n, a in given.items() if n in mount}
+        context = setup(**read)
+        if context.status >= 0:
+            moving = np.roll(np.arange(MOUNTS), -row)[:STEPS]
+            return read, context, {n: a[moving] for n, a in given.items() if n not in mount}
+    pytest.fail(f"{system}.{name}_setup refuses each of {MOUNTS} mounts")
 
 
 def refusals(printed, system, name, dtype):
     """What a step says of a context, told by what was done to it."""
     compiled = getattr(printed.module("native"), system)
-    mount, moving = one_mount(printed, system, name, dtype)
-    context = getattr(compiled, f"{name}_setup")(**mount)
+    mount, context, moving = one_mount(printed, system, name, dtype)
     step = functools.partial(getattr(compiled, f"{name}_step"), context, **moving)
     before, mark = context.memory.raw, ctypes.sizeof(ctypes.c_ulong)
     assert (step().status == getattr(compiled, name)(**mount, **moving).status).all()
@@ -73,8 +77,7 @@ def test_steps_answer_like_the_kernel(printed, dtype):
     assert printed.stages
     for system, name in printed.stages:
         compiled = getattr(native, system)
-        mount, moving = one_mount(printed, system, name, dtype)
-        context = getattr(compiled, f"{name}_setup")(**mount)
+        mount, context, moving = one_mount(printed, system, name, dtype)
         assert (context.status, context.precision) == (0, "f32" if dtype == np.float32 else "f64")
         found = getattr(compiled, f"{name}_step")(context, **moving)
         like = getattr(compiled, name)(**mount, **moving)
