@@ -219,7 +219,7 @@ def _same_kernel(first: Derivation, second: Derivation, name: str) -> bool:
 def _run(program: Program, row: dict[str, Any], reals: Reals) -> Any:
     try:
         return exact.run(program, row, reals)
-    except (ArithmeticError, ValueError):
+    except (ArithmeticError, TypeError, ValueError):
         return None
 
 

@@ -76,6 +76,13 @@ class Reals(_Fields):
         return self.mp.cos(a)
 
     def atan2(self, y: Any, x: Any) -> Any:
+        """An angle, radians.
+
+        Raises:
+            TypeError: as an ordering does, if an argument is not real.
+        """
+        if any(hasattr(a, "_mpc_") for a in (y, x)):
+            raise TypeError(f"no angle of ({x}, {y}): a root of a negative number stands before it")
         return self.mp.atan2(y, x)
 
 

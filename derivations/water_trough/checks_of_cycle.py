@@ -6,14 +6,18 @@ from armillary import Status
 from armillary.verify.engines import need
 from armillary.verify.measured import compare
 
+from .checks_of_motion import whole
 from .checks_of_time import PARAMETERS
 from .cycles_of import Pump, cycles
 from .motion_of import compiled
+from .samples import STATE, rows
+from .swings_of import settled, swing
 from .troughs import law, trough
 
 SUN = np.radians(15) / 3600  # rad/s
 BANDS = (0.25, 0.27, 0.29, 0.31)  # degrees, at which the pump starts
 PARTS = (0.1, 0.01, 0.001)  # of the study's flow and sun
+CLOSE = 1e-7
 NAMES = ("t_on", "t_cycle", "travel", "error_rest")
 QUICK = 3e-6  # m^3/s, more than the larger trough's own pump gives
 SHARP = Pump(up=0.4, down=0.02)  # s; the start is gentle enough for friction to hold it
@@ -68,6 +72,80 @@ def cycle_by_motion(kernels):
         "order of what a ramp adds, in its length", "halving",
         np.log2(np.abs(slow[0] / slow[1])), 2.0, 0.1, {"ramp": ramps[0]}, "cycle", relative=False,
     )  # fmt: skip
+
+
+def _law(of, pace, wide, ahead, lag):
+    """A law whose numbers are parts of what friction holds and lengths of a swing."""
+    pace = pace * of.hold * of.pulse
+    wide = wide * pace / of.pulse
+    return {
+        "q_pump": pace / of.turn, "band_on": (1 - ahead) * wide, "band_off": -ahead * wide,
+        "lag": lag / of.pulse,
+    }  # fmt: skip
+
+
+def _at_random(random):
+    return (random.uniform(0.02, 0.2), random.uniform(0.5, 15), *random.uniform(0, 0.5, 2))
+
+
+def _spring(kernels, row, sense, law, slow):
+    """How the kernel's cycle misses those of a mass on a spring, up to the one that is told.
+
+    Args:
+        law: four numbers for `_law`.
+        slow: rate of the sun by that of the edge.
+    """
+    of = {n: v for n, v in row.items() if n not in (*STATE, "sag")}
+    held = swing(kernels, of, row["s"], sense)
+    pump = _law(held, *law)
+    rate = slow * held.turn * pump["q_pump"]
+    found = kernels.cycle(s=row["s"], theta_dot_ref=sense * rate, **of, **pump)
+    if held.turn <= 0 or found.status < 0:
+        return None
+    told, misses = np.array([float(getattr(found, n)) for n in NAMES]), []
+    for one in settled(held, pump, rate):
+        misses.append(told / one - 1)
+        if np.max(np.abs(misses[-1])) < CLOSE:
+            return misses
+    return [*misses, np.full(4, np.nan)]
+
+
+def cycle_by_swings(kernels):
+    """Of troughs and laws at random: a mass on a spring behind an edge, integrated till it repeats.
+
+    Close to a whole swing two cycles may last; the kernel tells one of them.
+    """
+    random = np.random.default_rng(82)
+    troughs = rows(whole(82, 40, omega=0.0, q=0.0, q_dot=0.0))
+    found = [
+        _spring(kernels, row, (-1) ** k, _at_random(random), random.uniform(0.05, 0.5))
+        for k, row in enumerate(troughs)
+    ]
+    found, at = [one for one in found if one], {"laws": 40}
+    yield compare(
+        "time on, period, turn and last error of a mass on a spring behind an edge, as parts",
+        "SciPy", [one[-1] for one in found], 0.0, CLOSE, at, "cycle", relative=False,
+    )  # fmt: skip
+    yield compare(
+        "a trough from the edge settles in the cycle that is told, in nine of ten", "SciPy",
+        np.mean([len(one) > 1 for one in found]) < 0.1, 1.0, 0.0, at, "cycle",
+    )  # fmt: skip
+    yield compare(
+        "most of the laws have a cycle", "counting", len(found) > 25, 1.0, 0.0, at, "cycle"
+    )
+
+
+def cycle_beside_a_swing(kernels):
+    """From a slip of less than a swing to one of more: a cycle that is told is one that lasts."""
+    (row,) = rows(whole(83, 1, omega=0.0, q=0.0, q_dot=0.0))
+    widths = np.linspace(0.5, 7.5, 36)
+    found = [_spring(kernels, row, 1, (0.05, wide, 0.1, 0.5), 0.4) for wide in widths]
+    found = [one for one in found if one]  # without those that coast past the sun
+    yield compare(
+        "cycles beside a whole swing, as parts", "SciPy", [one[-1] for one in found], 0.0, CLOSE,
+        {"wide": widths}, "cycle", relative=False,
+    )  # fmt: skip
+    yield compare("most of them", "counting", len(found) > 25, 1.0, 0.0, {"laws": 36}, "cycle")
 
 
 def cycle_across_a_swing(kernels):

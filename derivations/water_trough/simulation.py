@@ -13,7 +13,9 @@ from .checks_of_axis import (
 from .checks_of_control import law_by_hand, law_by_machine
 from .checks_of_cycle import (
     cycle_across_a_swing,
+    cycle_beside_a_swing,
     cycle_by_motion,
+    cycle_by_swings,
     cycle_of_many_swings,
     cycle_refused,
     cycle_that_hunts,
@@ -73,6 +75,8 @@ def checks(kernels):
         swings,
         following,
         breaking_away,
+        cycle_by_swings,
+        cycle_beside_a_swing,
         cycle_by_motion,
         cycle_across_a_swing,
         cycle_of_many_swings,

@@ -155,3 +155,12 @@ GOOD = {"t": 1.0, "L": 1.0, "n": [0.6, 0.0, 0.8], "v": [1.0, 2.0, 3.0]}
 )
 def test_guards(change, wanted):
     assert guard_status(guarded(), GOOD | change) == wanted
+
+
+def test_no_angle_and_no_order_of_what_is_not_real():
+    root = sqrt(x - y)
+    for made in (atan2(root, 1 + y * y), where(root < x, x, y)):
+        program = opened(record, INPUTS, {"r": made})
+        point = {name: Reals().number(v) for name, v in {"x": 0.5, "y": 0.7}.items()}
+        with pytest.raises(TypeError):
+            evaluate(program, {**POINT, **point}, Reals())
