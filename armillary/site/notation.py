@@ -34,6 +34,7 @@ _PARTS = {
 _SUBSCRIPT = re.compile(
     r"(?P<base>.*)_(?:\{(?P<group>(?:[^{}]|\{[^{}]*\})*)\}|(?P<one>\\\w+\{[^{}]*\}|\\?\w+))\Z"
 )
+_ABOVE = re.compile(r"(?:'|\^(?:\{[^{}]*\}|\\?\w))+\Z")
 _WORD = re.compile(r"(?<![\\A-Za-z])[A-Za-z]{2,}(?![A-Za-z])")
 
 
@@ -121,11 +122,13 @@ def upright(latex: str) -> str:
 
 
 def subscripted(latex: str, more: str) -> str:
-    """A name with one more subscript."""
-    found = _SUBSCRIPT.match(latex)
+    """A name with one more subscript; what stands above it goes on standing last."""
+    above = _ABOVE.search(latex)
+    name = latex[: above.start()] if above else latex
+    found = _SUBSCRIPT.match(name)
     if found is None or found["base"].count("{") != found["base"].count("}"):
         return f"{latex}_{{{more}}}"
-    return f"{found['base']}_{{{found['group'] or found['one']},{more}}}"
+    return f"{found['base']}_{{{found['group'] or found['one']},{more}}}{latex[len(name) :]}"
 
 
 def references_in(expression: object) -> Iterator[Reference]:

@@ -219,7 +219,7 @@ class Structure:
             given, row, column = entry
             return subscripted(self(given), f"{row + 1}{column + 1}"), Level.ATOM
         latex, level = self.text(node.vector)
-        if level < Level.ATOM or latex.startswith(r"\begin"):
+        if level < Level.ATOM or latex.startswith(r"\begin") or r"\rvert_" in latex:
             return rf"\left({latex}\right)_{AXES[node.index]}", Level.ATOM
         return subscripted(latex, AXES[node.index]), Level.ATOM
 

@@ -19,6 +19,7 @@ from armillary import (
     hypot,
     number,
     sin,
+    substitute,
     unit,
     vector,
     where,
@@ -131,6 +132,9 @@ def test_subscripts_join():
     assert subscripted(r"\mathbf{c}_{12}", "x") == r"\mathbf{c}_{12,x}"
     assert subscripted(r"\mathbf{u}_\mathrm{r}", "x") == r"\mathbf{u}_{\mathrm{r},x}"
     assert subscripted(r"\dot{\mathbf{c}}", "x") == r"\dot{\mathbf{c}}_{x}"
+    assert subscripted(r"\mathbf{F}_A^{*}", "11") == r"\mathbf{F}_{A,11}^{*}"
+    assert subscripted(r"S_\mathrm{w}'", "x") == r"S_{\mathrm{w},x}'"
+    assert subscripted(r"\mathbf{S}^{*}", "x") == r"\mathbf{S}^{*}_{x}"
 
 
 def test_long_entries_get_a_name(d):
@@ -152,3 +156,10 @@ def test_long_entries_get_a_name(d):
 def test_a_plain_scalar_is_not_written_out_again(d):
     d.define("y", 2 * d.scalar("x", "."), because=".")
     assert written_out(Notation(d), d.definitions["y"]) is None
+
+
+def test_a_component_of_what_was_replaced_keeps_its_brackets(d):
+    x, y = (d.scalar(name, "a number") for name in ("x_in", "y_in"))
+    whole = d.define("whole", vector(x, 2 * x, x * x), because="it is asked for", latex="S_w")
+    part = substitute(whole, {x: y}).y
+    assert latex(d, part) == r"\left(S_w\big\rvert_{x_{\mathrm{in}} = y_{\mathrm{in}}}\right)_y"
