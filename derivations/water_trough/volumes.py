@@ -37,17 +37,53 @@ most_volume = d.constant(
 )  # fmt: skip
 
 
-def roots(offset):
+def roots(name, offset, letter):
     """Volumes at which that moment is `offset`: (value, whether it is one) of the near and far."""
     rest = unmoved - offset
-    under = slope * slope - 4 * bend * rest
+    under = d.define(
+        f"{name}_under",
+        slope * slope - 4 * bend * rest,
+        because="Where this is negative no volume does.",
+        meaning=f"what stands under the root of the quadratic of {name}",
+        latex=rf"\Delta_{{{letter}}}",
+    )
     real = ~(under < 0)
     wide = sqrt(where(real, under, one_like(under)))
-    both = slope + where(slope < 0, -wide, wide)
-    is_near = real & (absolute(2 * rest) < most_volume * absolute(both))
-    is_far = real & (absolute(both) < most_volume * absolute(2 * bend))
-    near = where(is_near, -2 * rest / where(is_near, both, one_like(both)), 0)
-    far = where(is_far, -both / where(is_far, 2 * bend, one_like(bend)), 0)
+    both = d.define(
+        f"{name}_sum",
+        slope + where(slope < 0, -wide, wide),
+        because="The root is taken with the sign of the slope: a sum loses no digits.",
+        meaning="slope and root together",
+        latex=rf"k_{{{letter}}}",
+    )
+    is_near = d.define(
+        f"{name}_is_near",
+        real & (absolute(2 * rest) < most_volume * absolute(both)),
+        because="Of the two roots of the quadratic, one is near to no water moved.",
+        meaning="whether there is a near root",
+    )
+    is_far = d.define(
+        f"{name}_is_far",
+        real & (absolute(both) < most_volume * absolute(2 * bend)),
+        because="The other goes away where the quadratic becomes linear.",
+        meaning="whether there is a far root",
+    )
+    near = d.define(
+        f"{name}_near",
+        where(is_near, -2 * rest / where(is_near, both, one_like(both)), 0),
+        because="Written so that it stays finite where the quadratic becomes linear.",
+        meaning="the near root",
+        unit=VOLUME,
+        latex=rf"s_{{{letter},1}}",
+    )
+    far = d.define(
+        f"{name}_far",
+        where(is_far, -both / where(is_far, 2 * bend, one_like(bend)), 0),
+        because="The product of the roots is known, and so the other.",
+        meaning="the far root",
+        unit=VOLUME,
+        latex=rf"s_{{{letter},2}}",
+    )
     return (near, is_near), (far, is_far)
 
 
@@ -66,12 +102,26 @@ def lasting(value, lost=0):
     return substitute(S.x * sin(theta) + S.y * cos(theta), {s: value}) < -lost
 
 
-def best(offset, lost=0):
+def best(name, offset, letter, lost=0):
     """The near root where the trough can rest and stay with it, else the far one; if it is one."""
-    (near, is_near), (far, is_far) = roots(offset)
-    near_does = is_near & held(near) & lasting(near, lost)
-    far_does = is_far & held(far) & lasting(far, lost)
-    far_taken = ~near_does & either(far_does, ~(is_near & held(near)))
+    (near, is_near), (far, is_far) = roots(name, offset, letter)
+    near_does, far_does = (
+        d.define(
+            f"{name}_{which}_does",
+            is_one & held(root) & lasting(root, lost),
+            because="The containers must hold it, and the mass centre stand below the axis.",
+            meaning=f"whether the trough rests with the {which} root, and stays",
+        )
+        for which, root, is_one in (("near", near, is_near), ("far", far, is_far))
+    )
+    far_taken = d.define(
+        f"{name}_is_other",
+        ~near_does & either(far_does, ~(is_near & held(near))),
+        because="Far from upright, what the water lifts of its own weight counts, and two volumes "
+        "may balance. The one nearer to none is taken, unless the containers do not hold it or "
+        "the trough does not stay with it.",
+        meaning="whether the root farther from no water moved is taken",
+    )
     return far_taken, where(far_taken, far, near), either(far_taken & is_far, ~far_taken & is_near)
 
 
@@ -88,19 +138,10 @@ def volume(name, value, is_one, because, meaning, latex):
     return made, lost
 
 
-_far_taken, _value, _is_one = best(0)
-other_root = d.define(
-    "other_root",
-    _far_taken,
-    because="Far from upright, what the water lifts of its own weight counts, and two volumes may "
-    "balance. The one nearer to none is taken, unless the containers do not hold it or the trough "
-    "does not stay with it.",
-    meaning="whether the root farther from no water moved is taken",
-)
+other_root, _value, _is_one = best("rest", 0, "0")
 s_rest, no_s_rest = volume(
     "s_rest", _value, _is_one,
-    "The rest condition is a quadratic in the volume. The near root is written so that it stays "
-    "finite where the quadratic becomes linear.",
+    "The rest condition is a quadratic in the volume.",
     "volume at which the trough rests at this angle without friction", "s_0",
 )  # fmt: skip
 tops = d.define(
@@ -113,7 +154,7 @@ tops = d.define(
 
 def breakaway(name, offset, because, meaning, latex):
     """Where the moment is off by friction, on the side of the quadratic that the rest is on."""
-    (near, is_near), (far, is_far) = roots(offset)
+    (near, is_near), (far, is_far) = roots(name, offset, latex[-1])
     is_one = either(other_root & is_far, ~other_root & is_near)
     return volume(name, where(other_root, far, near), is_one, because, meaning, latex)
 
@@ -136,7 +177,7 @@ reversal = d.define(
     unit=VOLUME,
     latex=r"\Delta s",
 )
-_, _value, _is_one = best(wedge, wedge_slope)
+_, _value, _is_one = best("level", wedge, "w", wedge_slope)
 s_level, no_s_level = volume(
     "s_level", _value, _is_one,
     "The same quadratic, with the wedges of level surfaces on its other side.",

@@ -25,7 +25,7 @@
 #include "armillary_status.h"
 
 /** Ties each source file to this header. */
-#define ARMILLARY_WATER_TROUGH_ABI 0xed6e03b3UL
+#define ARMILLARY_WATER_TROUGH_ABI 0x773e3c0fUL
 
 #ifdef __cplusplus
 extern "C" {

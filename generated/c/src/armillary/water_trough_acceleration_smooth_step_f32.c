@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -160,7 +160,7 @@ int water_trough_acceleration_smooth_setup_f32(
       ctx->h_max = h_max;
       ctx->m11 = t14;
       ctx->m12 = t13;
-      ctx->ready = 0x54134b37UL;
+      ctx->ready = 0x53698273UL;
     }
   }
   return status;
@@ -197,7 +197,7 @@ int water_trough_acceleration_smooth_step_f32(
   const float h_max = ctx->h_max;
   const float m11 = ctx->m11;
   const int m12 = ctx->m12;
-  int status = (ctx->ready == 0x54134b37UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x53698273UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(theta) <= 1000.0f) ||
       !(fabsf(omega) <= 1000.0f) ||

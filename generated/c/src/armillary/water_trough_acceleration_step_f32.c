@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -156,7 +156,7 @@ int water_trough_acceleration_setup_f32(
       ctx->h_max = h_max;
       ctx->m10 = t14;
       ctx->m11 = t13;
-      ctx->ready = 0x7d41e3c5UL;
+      ctx->ready = 0x60c22c8cUL;
     }
   }
   return status;
@@ -192,7 +192,7 @@ int water_trough_acceleration_step_f32(
   const float h_max = ctx->h_max;
   const float m10 = ctx->m10;
   const int m11 = ctx->m11;
-  int status = (ctx->ready == 0x7d41e3c5UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x60c22c8cUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(theta) <= 1000.0f) ||
       !(fabsf(omega) <= 1000.0f) ||

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -158,7 +158,7 @@ int water_trough_acceleration_setup_f64(
       ctx->h_max = h_max;
       ctx->m10 = t14;
       ctx->m11 = t13;
-      ctx->ready = 0x506d7c01UL;
+      ctx->ready = 0x10714077UL;
     }
   }
   return status;
@@ -194,7 +194,7 @@ int water_trough_acceleration_step_f64(
   const double h_max = ctx->h_max;
   const double m10 = ctx->m10;
   const int m11 = ctx->m11;
-  int status = (ctx->ready == 0x506d7c01UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x10714077UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(theta) <= 1000.0) ||
       !(fabs(omega) <= 1000.0) ||

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -134,7 +134,7 @@ int water_trough_creep_setup_f32(
       ctx->arm = arm;
       ctx->omega_s = omega_s;
       ctx->h_max = h_max;
-      ctx->ready = 0xda87aa6bUL;
+      ctx->ready = 0xa4de87cbUL;
     }
   }
   return status;
@@ -162,7 +162,7 @@ int water_trough_creep_step_f32(
   const float arm = ctx->arm;
   const float omega_s = ctx->omega_s;
   const float h_max = ctx->h_max;
-  int status = (ctx->ready == 0xda87aa6bUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xa4de87cbUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(theta) <= 1000.0f) ||
       !(fabsf(s) <= 1000.0f)) {

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -136,7 +136,7 @@ int water_trough_creep_setup_f64(
       ctx->arm = arm;
       ctx->omega_s = omega_s;
       ctx->h_max = h_max;
-      ctx->ready = 0x9bd92bf2UL;
+      ctx->ready = 0x7eea0719UL;
     }
   }
   return status;
@@ -164,7 +164,7 @@ int water_trough_creep_step_f64(
   const double arm = ctx->arm;
   const double omega_s = ctx->omega_s;
   const double h_max = ctx->h_max;
-  int status = (ctx->ready == 0x9bd92bf2UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x7eea0719UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(theta) <= 1000.0) ||
       !(fabs(s) <= 1000.0)) {

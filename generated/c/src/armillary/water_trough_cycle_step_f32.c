@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -185,7 +185,7 @@ int water_trough_cycle_setup_f32(
       ctx->band_on = band_on;
       ctx->h_max = h_max;
       ctx->m17 = t18;
-      ctx->ready = 0xd733516cUL;
+      ctx->ready = 0xec952fb3UL;
     }
   }
   return status;
@@ -230,7 +230,7 @@ int water_trough_cycle_step_f32(
   const float band_on = ctx->band_on;
   const float h_max = ctx->h_max;
   const int m17 = ctx->m17;
-  int status = (ctx->ready == 0xd733516cUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xec952fb3UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(s) <= 1000.0f) ||
       !(fabsf(theta_dot_ref) <= 1000.0f)) {

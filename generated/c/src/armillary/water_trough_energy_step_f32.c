@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -143,7 +143,7 @@ int water_trough_energy_setup_f32(
       ctx->g = g;
       ctx->h_max = h_max;
       ctx->m10 = t14;
-      ctx->ready = 0x0fc69077UL;
+      ctx->ready = 0xe02929ddUL;
     }
   }
   return status;
@@ -177,7 +177,7 @@ int water_trough_energy_step_f32(
   const float g = ctx->g;
   const float h_max = ctx->h_max;
   const int m10 = ctx->m10;
-  int status = (ctx->ready == 0x0fc69077UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xe02929ddUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(theta) <= 1000.0f) ||
       !(fabsf(omega) <= 1000.0f) ||

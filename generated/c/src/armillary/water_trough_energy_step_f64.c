@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -145,7 +145,7 @@ int water_trough_energy_setup_f64(
       ctx->g = g;
       ctx->h_max = h_max;
       ctx->m10 = t14;
-      ctx->ready = 0x64967aa5UL;
+      ctx->ready = 0xa9ca557bUL;
     }
   }
   return status;
@@ -179,7 +179,7 @@ int water_trough_energy_step_f64(
   const double g = ctx->g;
   const double h_max = ctx->h_max;
   const int m10 = ctx->m10;
-  int status = (ctx->ready == 0x64967aa5UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xa9ca557bUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(theta) <= 1000.0) ||
       !(fabs(omega) <= 1000.0) ||

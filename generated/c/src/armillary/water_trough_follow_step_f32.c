@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -127,7 +127,7 @@ int water_trough_follow_setup_f32(
       ctx->m11 = t7;
       ctx->m12 = 0.5f * t5;
       ctx->h_max = h_max;
-      ctx->ready = 0x37aab5ceUL;
+      ctx->ready = 0x84e948b3UL;
     }
   }
   return status;
@@ -157,7 +157,7 @@ int water_trough_follow_step_f32(
   const float m11 = ctx->m11;
   const float m12 = ctx->m12;
   const float h_max = ctx->h_max;
-  int status = (ctx->ready == 0x37aab5ceUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x84e948b3UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(s) <= 1000.0f) ||
       !(fabsf(theta_dot_ref) <= 1000.0f)) {

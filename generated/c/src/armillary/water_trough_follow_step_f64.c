@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -129,7 +129,7 @@ int water_trough_follow_setup_f64(
       ctx->m11 = t7;
       ctx->m12 = 0.5 * t5;
       ctx->h_max = h_max;
-      ctx->ready = 0xae2a5ed3UL;
+      ctx->ready = 0x8b4d87aeUL;
     }
   }
   return status;
@@ -159,7 +159,7 @@ int water_trough_follow_step_f64(
   const double m11 = ctx->m11;
   const double m12 = ctx->m12;
   const double h_max = ctx->h_max;
-  int status = (ctx->ready == 0xae2a5ed3UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x8b4d87aeUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(s) <= 1000.0) ||
       !(fabs(theta_dot_ref) <= 1000.0)) {

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -130,7 +130,7 @@ int water_trough_free_surface_setup_f32(
       ctx->m9 = t1;
       ctx->m10 = 0.5f * w;
       ctx->h_max = h_max;
-      ctx->ready = 0xb2e669b5UL;
+      ctx->ready = 0x3e70b4e3UL;
     }
   }
   return status;
@@ -159,7 +159,7 @@ int water_trough_free_surface_step_f32(
   const float m9 = ctx->m9;
   const float m10 = ctx->m10;
   const float h_max = ctx->h_max;
-  int status = (ctx->ready == 0xb2e669b5UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x3e70b4e3UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(theta) <= 1000.0f) ||
       !(fabsf(s) <= 1000.0f)) {

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -132,7 +132,7 @@ int water_trough_free_surface_setup_f64(
       ctx->m9 = t1;
       ctx->m10 = 0.5 * w;
       ctx->h_max = h_max;
-      ctx->ready = 0x0a61817aUL;
+      ctx->ready = 0xc80b3a9fUL;
     }
   }
   return status;
@@ -161,7 +161,7 @@ int water_trough_free_surface_step_f64(
   const double m9 = ctx->m9;
   const double m10 = ctx->m10;
   const double h_max = ctx->h_max;
-  int status = (ctx->ready == 0x0a61817aUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xc80b3a9fUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(theta) <= 1000.0) ||
       !(fabs(s) <= 1000.0)) {

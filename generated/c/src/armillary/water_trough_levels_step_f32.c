@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -58,7 +58,7 @@ int water_trough_levels_setup_f32(
     ctx->m3 = (rho * A_1) * g;
     ctx->m4 = (rho * A_2) * g;
     ctx->h_max = h_max;
-    ctx->ready = 0xca101153UL;
+    ctx->ready = 0x6d782fd8UL;
   }
   return status;
 }
@@ -74,7 +74,7 @@ int water_trough_levels_step_f32(
   const float m3 = ctx->m3;
   const float m4 = ctx->m4;
   const float h_max = ctx->h_max;
-  int status = (ctx->ready == 0xca101153UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x6d782fd8UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(s) <= 1000.0f)) {
     if (status == ARMILLARY_OK) {

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -60,7 +60,7 @@ int water_trough_levels_setup_f64(
     ctx->m3 = (rho * A_1) * g;
     ctx->m4 = (rho * A_2) * g;
     ctx->h_max = h_max;
-    ctx->ready = 0x1dd3b7e9UL;
+    ctx->ready = 0xeb320f5eUL;
   }
   return status;
 }
@@ -76,7 +76,7 @@ int water_trough_levels_step_f64(
   const double m3 = ctx->m3;
   const double m4 = ctx->m4;
   const double h_max = ctx->h_max;
-  int status = (ctx->ready == 0x1dd3b7e9UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xeb320f5eUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(s) <= 1000.0)) {
     if (status == ARMILLARY_OK) {

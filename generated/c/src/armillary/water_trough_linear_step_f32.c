@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -163,7 +163,7 @@ int water_trough_linear_setup_f32(
       ctx->m15 = t18;
       ctx->m16 = t17;
       ctx->arm = arm;
-      ctx->ready = 0x35c170a2UL;
+      ctx->ready = 0xd67bb181UL;
     }
   }
   return status;
@@ -203,7 +203,7 @@ int water_trough_linear_step_f32(
   const float m15 = ctx->m15;
   const int m16 = ctx->m16;
   const float arm = ctx->arm;
-  int status = (ctx->ready == 0x35c170a2UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xd67bb181UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(s) <= 1000.0f)) {
     if (status == ARMILLARY_OK) {

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -165,7 +165,7 @@ int water_trough_linear_setup_f64(
       ctx->m15 = t18;
       ctx->m16 = t17;
       ctx->arm = arm;
-      ctx->ready = 0x9f968291UL;
+      ctx->ready = 0xefe4443fUL;
     }
   }
   return status;
@@ -205,7 +205,7 @@ int water_trough_linear_step_f64(
   const double m15 = ctx->m15;
   const int m16 = ctx->m16;
   const double arm = ctx->arm;
-  int status = (ctx->ready == 0x9f968291UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xefe4443fUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(s) <= 1000.0)) {
     if (status == ARMILLARY_OK) {

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -167,7 +167,7 @@ int water_trough_power_setup_f32(
       ctx->m19 = 0.5f * t2;
       ctx->h_max = h_max;
       ctx->m20 = t18;
-      ctx->ready = 0x5aba3c51UL;
+      ctx->ready = 0x27911bcbUL;
     }
   }
   return status;
@@ -212,7 +212,7 @@ int water_trough_power_step_f32(
   const float m19 = ctx->m19;
   const float h_max = ctx->h_max;
   const int m20 = ctx->m20;
-  int status = (ctx->ready == 0x5aba3c51UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x27911bcbUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(theta) <= 1000.0f) ||
       !(fabsf(omega) <= 1000.0f) ||

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -169,7 +169,7 @@ int water_trough_power_setup_f64(
       ctx->m19 = 0.5 * t2;
       ctx->h_max = h_max;
       ctx->m20 = t18;
-      ctx->ready = 0x78dfd2a9UL;
+      ctx->ready = 0x89dfa176UL;
     }
   }
   return status;
@@ -214,7 +214,7 @@ int water_trough_power_step_f64(
   const double m19 = ctx->m19;
   const double h_max = ctx->h_max;
   const int m20 = ctx->m20;
-  int status = (ctx->ready == 0x78dfd2a9UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x89dfa176UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(theta) <= 1000.0) ||
       !(fabs(omega) <= 1000.0) ||

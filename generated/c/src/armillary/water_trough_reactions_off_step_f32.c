@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -175,7 +175,7 @@ int water_trough_reactions_off_setup_f32(
       ctx->m10 = t1;
       ctx->r_A = r_A;
       ctx->h_max = h_max;
-      ctx->ready = 0x44873529UL;
+      ctx->ready = 0x0345260aUL;
     }
   }
   return status;
@@ -218,7 +218,7 @@ int water_trough_reactions_off_step_f32(
   const float m10 = ctx->m10;
   const float r_A = ctx->r_A;
   const float h_max = ctx->h_max;
-  int status = (ctx->ready == 0x44873529UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x0345260aUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(theta) <= 1000.0f) ||
       !(fabsf(omega) <= 1000.0f) ||

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -167,7 +167,7 @@ int water_trough_reactions_setup_f64(
       ctx->h_max = h_max;
       ctx->m11 = t14;
       ctx->m12 = t13;
-      ctx->ready = 0xffd27fb1UL;
+      ctx->ready = 0x8b082644UL;
     }
   }
   return status;
@@ -205,7 +205,7 @@ int water_trough_reactions_step_f64(
   const double h_max = ctx->h_max;
   const double m11 = ctx->m11;
   const int m12 = ctx->m12;
-  int status = (ctx->ready == 0xffd27fb1UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x8b082644UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(theta) <= 1000.0) ||
       !(fabs(omega) <= 1000.0) ||

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -120,7 +120,7 @@ int water_trough_rest_angle_setup_f32(
       ctx->S_t_eta = S_t_eta;
       ctx->m7 = 1.0e-6f * m_all;
       ctx->h_max = h_max;
-      ctx->ready = 0x52356a54UL;
+      ctx->ready = 0xc33323c5UL;
     }
   }
   return status;
@@ -145,7 +145,7 @@ int water_trough_rest_angle_step_f32(
   const float S_t_eta = ctx->S_t_eta;
   const float m7 = ctx->m7;
   const float h_max = ctx->h_max;
-  int status = (ctx->ready == 0x52356a54UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xc33323c5UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(s) <= 1000.0f)) {
     if (status == ARMILLARY_OK) {

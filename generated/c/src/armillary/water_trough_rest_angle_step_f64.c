@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -122,7 +122,7 @@ int water_trough_rest_angle_setup_f64(
       ctx->S_t_eta = S_t_eta;
       ctx->m7 = 1.0e-6 * m_all;
       ctx->h_max = h_max;
-      ctx->ready = 0xb6cf96c9UL;
+      ctx->ready = 0xb678def6UL;
     }
   }
   return status;
@@ -147,7 +147,7 @@ int water_trough_rest_angle_step_f64(
   const double S_t_eta = ctx->S_t_eta;
   const double m7 = ctx->m7;
   const double h_max = ctx->h_max;
-  int status = (ctx->ready == 0xb6cf96c9UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xb678def6UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(s) <= 1000.0)) {
     if (status == ARMILLARY_OK) {

@@ -5,7 +5,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -111,116 +111,117 @@ int water_trough_rest_volume_f64(const water_trough_params_f64 *p, double theta,
     /* water_trough-unmoved */
     const double unmoved = ((((t16 + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi) * cos_theta) - ((((t17
         + (m_1 * t7)) + (m_2 * t9)) + S_t_eta) * sin_theta);
-    const double t18 = (slope * slope) + ((4.0 * t14) * unmoved);
-    const int t19 = t18 < 0.0;
-    const int t20 = !t19;
-    const double t21 = 2.0 * unmoved;
-    const int t22 = slope < 0.0;
-    const double t23 = t20 ? t18 : 1.0;
-    const double t24 = sqrt(t23);
-    const double t25 = t22 ? (-t24) : t24;
-    const double t26 = slope + t25;
-    const double t27 = fabs(t26);
-    const int t28 = fabs(t21) < (1000.0 * t27);
-    const int t29 = t20 && t28;
-    const double t30 = t29 ? t26 : 1.0;
-    const double t31 = t21 / t30;
-    const double t32 = t29 ? (-t31) : 0.0;
-    const double h_1 = h_10 + (t32 * t2); /* water_trough-h_1 */
-    const int t33 = h_1 < 0.0;
-    const int t34 = !t33;
-    const double h_2 = h_20 - (t32 * t5); /* water_trough-h_2 */
-    const int t35 = h_2 < 0.0;
-    const int t36 = !t35;
-    const int t37 = t34 && t36;
-    const int t38 = h_max < h_1;
-    const int t39 = !t38;
-    const int t40 = t37 && t39;
-    const int t41 = h_max < h_2;
-    const int t42 = !t41;
-    const int t43 = t40 && t42;
-    const int t44 = t29 && t43;
+    /* water_trough-rest_under */
+    const double rest_under = (slope * slope) + ((4.0 * t14) * unmoved);
+    const int t18 = rest_under < 0.0;
+    const int t19 = !t18;
+    const double t20 = 2.0 * unmoved;
+    const int t21 = slope < 0.0;
+    const double t22 = t19 ? rest_under : 1.0;
+    const double t23 = sqrt(t22);
+    const double t24 = t21 ? (-t23) : t23;
+    const double rest_sum = slope + t24; /* water_trough-rest_sum */
+    const double t25 = fabs(rest_sum);
+    const int t26 = fabs(t20) < (1000.0 * t25);
+    const int rest_is_near = t19 && t26; /* water_trough-rest_is_near */
+    const double t27 = rest_is_near ? rest_sum : 1.0;
+    const double t28 = t20 / t27;
+    const double rest_near = rest_is_near ? (-t28) : 0.0; /* water_trough-rest_near */
+    const double h_1 = h_10 + (rest_near * t2); /* water_trough-h_1 */
+    const int t29 = h_1 < 0.0;
+    const int t30 = !t29;
+    const double h_2 = h_20 - (rest_near * t5); /* water_trough-h_2 */
+    const int t31 = h_2 < 0.0;
+    const int t32 = !t31;
+    const int t33 = t30 && t32;
+    const int t34 = h_max < h_1;
+    const int t35 = !t34;
+    const int t36 = t33 && t35;
+    const int t37 = h_max < h_2;
+    const int t38 = !t37;
+    const int t39 = t36 && t38;
+    const int t40 = rest_is_near && t39;
     const double m_1_value = t1 * h_1; /* water_trough-m_1 */
     const double m_2_value = t4 * h_2; /* water_trough-m_2 */
-    const double t45 = (t17 + (m_1_value * (y_1 + (0.5 * h_1)))) + (m_2_value * (y_2 + (0.5 *
+    const double t41 = (t17 + (m_1_value * (y_1 + (0.5 * h_1)))) + (m_2_value * (y_2 + (0.5 *
         h_2)));
-    const double t46 = ((((t16 + (m_1_value * x_1)) + (m_2_value * x_2)) + S_t_xi) * sin_theta) +
-        ((t45 + S_t_eta) * cos_theta);
-    const int t47 = t46 < 0.0;
-    const int t48 = t44 && t47;
-    const int t49 = !t48;
-    const double t50 = 2.0 * t14;
-    const int t51 = t27 < (1000.0 * fabs(t50));
-    const int t52 = t20 && t51;
-    const double t53 = t52 ? (-t50) : 1.0;
-    const double t54 = t26 / t53;
-    const double t55 = t52 ? (-t54) : 0.0;
-    const double h_1_value = h_10 + (t55 * t2); /* water_trough-h_1 */
-    const int t56 = h_1_value < 0.0;
-    const int t57 = !t56;
-    const double h_2_value = h_20 - (t55 * t5); /* water_trough-h_2 */
-    const int t58 = h_2_value < 0.0;
-    const int t59 = !t58;
-    const int t60 = t57 && t59;
-    const int t61 = h_max < h_1_value;
-    const int t62 = !t61;
-    const int t63 = t60 && t62;
-    const int t64 = h_max < h_2_value;
-    const int t65 = !t64;
-    const int t66 = t63 && t65;
-    const int t67 = t52 && t66;
+    const double t42 = ((((t16 + (m_1_value * x_1)) + (m_2_value * x_2)) + S_t_xi) * sin_theta) +
+        ((t41 + S_t_eta) * cos_theta);
+    const int t43 = t42 < 0.0;
+    const int rest_near_does = t40 && t43; /* water_trough-rest_near_does */
+    const int t44 = !rest_near_does;
+    const double t45 = 2.0 * t14;
+    const int t46 = t25 < (1000.0 * fabs(t45));
+    const int rest_is_far = t19 && t46; /* water_trough-rest_is_far */
+    const double t47 = rest_is_far ? (-t45) : 1.0;
+    const double t48 = rest_sum / t47;
+    const double rest_far = rest_is_far ? (-t48) : 0.0; /* water_trough-rest_far */
+    const double h_1_value = h_10 + (rest_far * t2); /* water_trough-h_1 */
+    const int t49 = h_1_value < 0.0;
+    const int t50 = !t49;
+    const double h_2_value = h_20 - (rest_far * t5); /* water_trough-h_2 */
+    const int t51 = h_2_value < 0.0;
+    const int t52 = !t51;
+    const int t53 = t50 && t52;
+    const int t54 = h_max < h_1_value;
+    const int t55 = !t54;
+    const int t56 = t53 && t55;
+    const int t57 = h_max < h_2_value;
+    const int t58 = !t57;
+    const int t59 = t56 && t58;
+    const int t60 = rest_is_far && t59;
     const double m_1_value2 = t1 * h_1_value; /* water_trough-m_1 */
     const double m_2_value2 = t4 * h_2_value; /* water_trough-m_2 */
-    const double t68 = (t17 + (m_1_value2 * (y_1 + (0.5 * h_1_value)))) + (m_2_value2 * (y_2 +
+    const double t61 = (t17 + (m_1_value2 * (y_1 + (0.5 * h_1_value)))) + (m_2_value2 * (y_2 +
         (0.5 * h_2_value)));
-    const double t69 = ((((t16 + (m_1_value2 * x_1)) + (m_2_value2 * x_2)) + S_t_xi) * sin_theta)
-        + ((t68 + S_t_eta) * cos_theta);
-    const int t70 = t69 < 0.0;
-    const int t71 = t67 && t70;
-    const int t72 = !t71;
-    const int t73 = t72 && t44;
-    const int t74 = !t73;
-    const int t75 = t49 && t74;
-    const double s_rest = t75 ? t55 : t32; /* water_trough-s_rest */
+    const double t62 = ((((t16 + (m_1_value2 * x_1)) + (m_2_value2 * x_2)) + S_t_xi) * sin_theta)
+        + ((t61 + S_t_eta) * cos_theta);
+    const int t63 = t62 < 0.0;
+    const int rest_far_does = t60 && t63; /* water_trough-rest_far_does */
+    const int t64 = !rest_far_does;
+    const int t65 = t64 && t40;
+    const int t66 = !t65;
+    const int rest_is_other = t44 && t66; /* water_trough-rest_is_other */
+    const double s_rest = rest_is_other ? rest_far : rest_near; /* water_trough-s_rest */
     const double m_fit = (rho * a_t) * L_t; /* water_trough-m_fit */
-    const double t76 = 0.001 * m_fit;
-    const double t77 = m_t - m_fit;
-    const int t78 = t76 < t77;
-    const int t79 = !t78;
-    const int t80 = t76 < (-t77);
-    const int t81 = !t80;
-    const int t82 = t79 && t81;
-    const int misfit = !t82; /* water_trough-misfit */
-    const int t83 = t75 && t52;
-    const int t84 = !t83;
-    const int t85 = !t75;
-    const int t86 = t85 && t29;
-    const int t87 = !t86;
-    const int t88 = t84 && t87;
-    const int t89 = !t88;
+    const double t67 = 0.001 * m_fit;
+    const double t68 = m_t - m_fit;
+    const int t69 = t67 < t68;
+    const int t70 = !t69;
+    const int t71 = t67 < (-t68);
+    const int t72 = !t71;
+    const int t73 = t70 && t72;
+    const int misfit = !t73; /* water_trough-misfit */
+    const int t74 = rest_is_other && rest_is_far;
+    const int t75 = !t74;
+    const int t76 = !rest_is_other;
+    const int t77 = t76 && rest_is_near;
+    const int t78 = !t77;
+    const int t79 = t75 && t78;
+    const int t80 = !t79;
     const double h_1_value2 = h_10 + (s_rest * t2); /* water_trough-h_1 */
-    const int t90 = h_1_value2 < 0.0;
-    const int t91 = !t90;
+    const int t81 = h_1_value2 < 0.0;
+    const int t82 = !t81;
     const double h_2_value2 = h_20 - (s_rest * t5); /* water_trough-h_2 */
-    const int t92 = h_2_value2 < 0.0;
-    const int t93 = !t92;
-    const int t94 = t91 && t93;
-    const int t95 = h_max < h_1_value2;
-    const int t96 = !t95;
-    const int t97 = t94 && t96;
-    const int t98 = h_max < h_2_value2;
-    const int t99 = !t98;
-    const int t100 = t97 && t99;
-    const int t101 = t89 && t100;
-    const int no_s_rest = !t101; /* water_trough-no_s_rest */
+    const int t83 = h_2_value2 < 0.0;
+    const int t84 = !t83;
+    const int t85 = t82 && t84;
+    const int t86 = h_max < h_1_value2;
+    const int t87 = !t86;
+    const int t88 = t85 && t87;
+    const int t89 = h_max < h_2_value2;
+    const int t90 = !t89;
+    const int t91 = t88 && t90;
+    const int t92 = t80 && t91;
+    const int no_s_rest = !t92; /* water_trough-no_s_rest */
     const double m_1_value3 = t1 * h_1_value2; /* water_trough-m_1 */
     const double m_2_value3 = t4 * h_2_value2; /* water_trough-m_2 */
-    const double t102 = (t17 + (m_1_value3 * (y_1 + (0.5 * h_1_value2)))) + (m_2_value3 * (y_2 +
+    const double t93 = (t17 + (m_1_value3 * (y_1 + (0.5 * h_1_value2)))) + (m_2_value3 * (y_2 +
         (0.5 * h_2_value2)));
-    const double t103 = ((((t16 + (m_1_value3 * x_1)) + (m_2_value3 * x_2)) + S_t_xi) * sin_theta)
-        + ((t102 + S_t_eta) * cos_theta);
-    const int t104 = t103 < 0.0;
-    const int tops = !t104; /* water_trough-tops */
+    const double t94 = ((((t16 + (m_1_value3 * x_1)) + (m_2_value3 * x_2)) + S_t_xi) * sin_theta)
+        + ((t93 + S_t_eta) * cos_theta);
+    const int t95 = t94 < 0.0;
+    const int tops = !t95; /* water_trough-tops */
     if (misfit) {
       status = ARMILLARY_UNREACHABLE;
     }

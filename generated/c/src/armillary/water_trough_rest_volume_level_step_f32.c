@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -141,7 +141,7 @@ int water_trough_rest_volume_level_setup_f32(
       ctx->m12 = t16;
       ctx->y_2 = y_2;
       ctx->S_t_eta = S_t_eta;
-      ctx->ready = 0x25a56b29UL;
+      ctx->ready = 0xb9781735UL;
     }
   }
   return status;
@@ -171,7 +171,7 @@ int water_trough_rest_volume_level_step_f32(
   const float m12 = ctx->m12;
   const float y_2 = ctx->y_2;
   const float S_t_eta = ctx->S_t_eta;
-  int status = (ctx->ready == 0x25a56b29UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xb9781735UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(theta) <= 1000.0f)) {
     if (status == ARMILLARY_OK) {
@@ -195,110 +195,110 @@ int water_trough_rest_volume_level_step_f32(
     const float t6 = 1.0f / t5;
     const float wedge = (m6 * t3) * (1.0f + t6); /* water_trough-wedge */
     const float t7 = unmoved - wedge;
-    const float t8 = (slope * slope) + ((4.0f * t1) * t7);
-    const int t9 = t8 < 0.0f;
-    const int t10 = !t9;
-    const float t11 = 2.0f * t7;
-    const int t12 = slope < 0.0f;
-    const float t13 = t10 ? t8 : 1.0f;
-    const float t14 = sqrtf(t13);
-    const float t15 = t12 ? (-t14) : t14;
-    const float t16 = slope + t15;
-    const float t17 = fabsf(t16);
-    const int t18 = fabsf(t11) < (1000.0f * t17);
-    const int t19 = t10 && t18;
-    const float t20 = t19 ? t16 : 1.0f;
-    const float t21 = t11 / t20;
-    const float t22 = t19 ? (-t21) : 0.0f;
-    const float h_1_value = h_1 + (t22 * m7); /* water_trough-h_1 */
-    const int t23 = h_1_value < 0.0f;
-    const int t24 = !t23;
-    const float h_2_value = h_2 - (t22 * m8); /* water_trough-h_2 */
-    const int t25 = h_2_value < 0.0f;
-    const int t26 = !t25;
-    const int t27 = t24 && t26;
-    const int t28 = h_max < h_1_value;
-    const int t29 = !t28;
-    const int t30 = t27 && t29;
-    const int t31 = h_max < h_2_value;
-    const int t32 = !t31;
-    const int t33 = t30 && t32;
-    const int t34 = t19 && t33;
+    const float level_under = (slope * slope) + ((4.0f * t1) * t7); /* water_trough-level_under */
+    const int t8 = level_under < 0.0f;
+    const int t9 = !t8;
+    const float t10 = 2.0f * t7;
+    const int t11 = slope < 0.0f;
+    const float t12 = t9 ? level_under : 1.0f;
+    const float t13 = sqrtf(t12);
+    const float t14 = t11 ? (-t13) : t13;
+    const float level_sum = slope + t14; /* water_trough-level_sum */
+    const float t15 = fabsf(level_sum);
+    const int t16 = fabsf(t10) < (1000.0f * t15);
+    const int level_is_near = t9 && t16; /* water_trough-level_is_near */
+    const float t17 = level_is_near ? level_sum : 1.0f;
+    const float t18 = t10 / t17;
+    const float level_near = level_is_near ? (-t18) : 0.0f; /* water_trough-level_near */
+    const float h_1_value = h_1 + (level_near * m7); /* water_trough-h_1 */
+    const int t19 = h_1_value < 0.0f;
+    const int t20 = !t19;
+    const float h_2_value = h_2 - (level_near * m8); /* water_trough-h_2 */
+    const int t21 = h_2_value < 0.0f;
+    const int t22 = !t21;
+    const int t23 = t20 && t22;
+    const int t24 = h_max < h_1_value;
+    const int t25 = !t24;
+    const int t26 = t23 && t25;
+    const int t27 = h_max < h_2_value;
+    const int t28 = !t27;
+    const int t29 = t26 && t28;
+    const int t30 = level_is_near && t29;
     const float m_1 = m9 * h_1_value; /* water_trough-m_1 */
     const float m_2 = m11 * h_2_value; /* water_trough-m_2 */
-    const float t35 = (m12 + (m_1 * (y_1 + (0.5f * h_1_value)))) + (m_2 * (y_2 + (0.5f *
+    const float t31 = (m12 + (m_1 * (y_1 + (0.5f * h_1_value)))) + (m_2 * (y_2 + (0.5f *
         h_2_value)));
-    const float t36 = ((((m10 + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi) * sin_theta) + ((t35 +
+    const float t32 = ((((m10 + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi) * sin_theta) + ((t31 +
         S_t_eta) * cos_theta);
-    const float t37 = 1.0f / t4;
-    const float t38 = ((2.0f * t3) * t3) / (t5 * t4);
-    const float wedge_slope = m6 * ((t4 + t37) + t38); /* water_trough-wedge_slope */
-    const int t39 = t36 < (-wedge_slope);
-    const int t40 = t34 && t39;
-    const int t41 = !t40;
-    const float t42 = 2.0f * t1;
-    const int t43 = t17 < (1000.0f * fabsf(t42));
-    const int t44 = t10 && t43;
-    const float t45 = t44 ? (-t42) : 1.0f;
-    const float t46 = t16 / t45;
-    const float t47 = t44 ? (-t46) : 0.0f;
-    const float h_1_value2 = h_1 + (t47 * m7); /* water_trough-h_1 */
-    const int t48 = h_1_value2 < 0.0f;
-    const int t49 = !t48;
-    const float h_2_value2 = h_2 - (t47 * m8); /* water_trough-h_2 */
-    const int t50 = h_2_value2 < 0.0f;
-    const int t51 = !t50;
-    const int t52 = t49 && t51;
-    const int t53 = h_max < h_1_value2;
-    const int t54 = !t53;
-    const int t55 = t52 && t54;
-    const int t56 = h_max < h_2_value2;
-    const int t57 = !t56;
-    const int t58 = t55 && t57;
-    const int t59 = t44 && t58;
+    const float t33 = 1.0f / t4;
+    const float t34 = ((2.0f * t3) * t3) / (t5 * t4);
+    const float wedge_slope = m6 * ((t4 + t33) + t34); /* water_trough-wedge_slope */
+    const int t35 = t32 < (-wedge_slope);
+    const int level_near_does = t30 && t35; /* water_trough-level_near_does */
+    const int t36 = !level_near_does;
+    const float t37 = 2.0f * t1;
+    const int t38 = t15 < (1000.0f * fabsf(t37));
+    const int level_is_far = t9 && t38; /* water_trough-level_is_far */
+    const float t39 = level_is_far ? (-t37) : 1.0f;
+    const float t40 = level_sum / t39;
+    const float level_far = level_is_far ? (-t40) : 0.0f; /* water_trough-level_far */
+    const float h_1_value2 = h_1 + (level_far * m7); /* water_trough-h_1 */
+    const int t41 = h_1_value2 < 0.0f;
+    const int t42 = !t41;
+    const float h_2_value2 = h_2 - (level_far * m8); /* water_trough-h_2 */
+    const int t43 = h_2_value2 < 0.0f;
+    const int t44 = !t43;
+    const int t45 = t42 && t44;
+    const int t46 = h_max < h_1_value2;
+    const int t47 = !t46;
+    const int t48 = t45 && t47;
+    const int t49 = h_max < h_2_value2;
+    const int t50 = !t49;
+    const int t51 = t48 && t50;
+    const int t52 = level_is_far && t51;
     const float m_1_value = m9 * h_1_value2; /* water_trough-m_1 */
     const float m_2_value = m11 * h_2_value2; /* water_trough-m_2 */
-    const float t60 = (m12 + (m_1_value * (y_1 + (0.5f * h_1_value2)))) + (m_2_value * (y_2 +
+    const float t53 = (m12 + (m_1_value * (y_1 + (0.5f * h_1_value2)))) + (m_2_value * (y_2 +
         (0.5f * h_2_value2)));
-    const float t61 = ((((m10 + (m_1_value * x_1)) + (m_2_value * x_2)) + S_t_xi) * sin_theta) +
-        ((t60 + S_t_eta) * cos_theta);
-    const int t62 = t61 < (-wedge_slope);
-    const int t63 = t59 && t62;
-    const int t64 = !t63;
-    const int t65 = t64 && t34;
-    const int t66 = !t65;
-    const int t67 = t41 && t66;
-    const float s_level = t67 ? t47 : t22; /* water_trough-s_level */
-    const int t68 = t67 && t44;
-    const int t69 = !t68;
-    const int t70 = !t67;
-    const int t71 = t70 && t19;
-    const int t72 = !t71;
-    const int t73 = t69 && t72;
-    const int t74 = !t73;
+    const float t54 = ((((m10 + (m_1_value * x_1)) + (m_2_value * x_2)) + S_t_xi) * sin_theta) +
+        ((t53 + S_t_eta) * cos_theta);
+    const int t55 = t54 < (-wedge_slope);
+    const int level_far_does = t52 && t55; /* water_trough-level_far_does */
+    const int t56 = !level_far_does;
+    const int t57 = t56 && t30;
+    const int t58 = !t57;
+    const int level_is_other = t36 && t58; /* water_trough-level_is_other */
+    const float s_level = level_is_other ? level_far : level_near; /* water_trough-s_level */
+    const int t59 = level_is_other && level_is_far;
+    const int t60 = !t59;
+    const int t61 = !level_is_other;
+    const int t62 = t61 && level_is_near;
+    const int t63 = !t62;
+    const int t64 = t60 && t63;
+    const int t65 = !t64;
     const float h_1_value3 = h_1 + (s_level * m7); /* water_trough-h_1 */
-    const int t75 = h_1_value3 < 0.0f;
-    const int t76 = !t75;
+    const int t66 = h_1_value3 < 0.0f;
+    const int t67 = !t66;
     const float h_2_value3 = h_2 - (s_level * m8); /* water_trough-h_2 */
-    const int t77 = h_2_value3 < 0.0f;
-    const int t78 = !t77;
-    const int t79 = t76 && t78;
-    const int t80 = h_max < h_1_value3;
-    const int t81 = !t80;
-    const int t82 = t79 && t81;
-    const int t83 = h_max < h_2_value3;
-    const int t84 = !t83;
-    const int t85 = t82 && t84;
-    const int t86 = t74 && t85;
-    const int no_s_level = !t86; /* water_trough-no_s_level */
+    const int t68 = h_2_value3 < 0.0f;
+    const int t69 = !t68;
+    const int t70 = t67 && t69;
+    const int t71 = h_max < h_1_value3;
+    const int t72 = !t71;
+    const int t73 = t70 && t72;
+    const int t74 = h_max < h_2_value3;
+    const int t75 = !t74;
+    const int t76 = t73 && t75;
+    const int t77 = t65 && t76;
+    const int no_s_level = !t77; /* water_trough-no_s_level */
     const float m_1_value2 = m9 * h_1_value3; /* water_trough-m_1 */
     const float m_2_value2 = m11 * h_2_value3; /* water_trough-m_2 */
-    const float t87 = (m12 + (m_1_value2 * (y_1 + (0.5f * h_1_value3)))) + (m_2_value2 * (y_2 +
+    const float t78 = (m12 + (m_1_value2 * (y_1 + (0.5f * h_1_value3)))) + (m_2_value2 * (y_2 +
         (0.5f * h_2_value3)));
-    const float t88 = ((((m10 + (m_1_value2 * x_1)) + (m_2_value2 * x_2)) + S_t_xi) * sin_theta) +
-        ((t87 + S_t_eta) * cos_theta);
-    const int t89 = t88 < (-wedge_slope);
-    const int tops_level = !t89; /* water_trough-tops_level */
+    const float t79 = ((((m10 + (m_1_value2 * x_1)) + (m_2_value2 * x_2)) + S_t_xi) * sin_theta) +
+        ((t78 + S_t_eta) * cos_theta);
+    const int t80 = t79 < (-wedge_slope);
+    const int tops_level = !t80; /* water_trough-tops_level */
     if (tipped) {
       status = ARMILLARY_UNREACHABLE;
     }

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -143,7 +143,7 @@ int water_trough_rest_volume_level_setup_f64(
       ctx->m12 = t16;
       ctx->y_2 = y_2;
       ctx->S_t_eta = S_t_eta;
-      ctx->ready = 0x4284d5fcUL;
+      ctx->ready = 0x216d214eUL;
     }
   }
   return status;
@@ -173,7 +173,7 @@ int water_trough_rest_volume_level_step_f64(
   const double m12 = ctx->m12;
   const double y_2 = ctx->y_2;
   const double S_t_eta = ctx->S_t_eta;
-  int status = (ctx->ready == 0x4284d5fcUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x216d214eUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(theta) <= 1000.0)) {
     if (status == ARMILLARY_OK) {
@@ -197,110 +197,110 @@ int water_trough_rest_volume_level_step_f64(
     const double t6 = 1.0 / t5;
     const double wedge = (m6 * t3) * (1.0 + t6); /* water_trough-wedge */
     const double t7 = unmoved - wedge;
-    const double t8 = (slope * slope) + ((4.0 * t1) * t7);
-    const int t9 = t8 < 0.0;
-    const int t10 = !t9;
-    const double t11 = 2.0 * t7;
-    const int t12 = slope < 0.0;
-    const double t13 = t10 ? t8 : 1.0;
-    const double t14 = sqrt(t13);
-    const double t15 = t12 ? (-t14) : t14;
-    const double t16 = slope + t15;
-    const double t17 = fabs(t16);
-    const int t18 = fabs(t11) < (1000.0 * t17);
-    const int t19 = t10 && t18;
-    const double t20 = t19 ? t16 : 1.0;
-    const double t21 = t11 / t20;
-    const double t22 = t19 ? (-t21) : 0.0;
-    const double h_1_value = h_1 + (t22 * m7); /* water_trough-h_1 */
-    const int t23 = h_1_value < 0.0;
-    const int t24 = !t23;
-    const double h_2_value = h_2 - (t22 * m8); /* water_trough-h_2 */
-    const int t25 = h_2_value < 0.0;
-    const int t26 = !t25;
-    const int t27 = t24 && t26;
-    const int t28 = h_max < h_1_value;
-    const int t29 = !t28;
-    const int t30 = t27 && t29;
-    const int t31 = h_max < h_2_value;
-    const int t32 = !t31;
-    const int t33 = t30 && t32;
-    const int t34 = t19 && t33;
+    const double level_under = (slope * slope) + ((4.0 * t1) * t7); /* water_trough-level_under */
+    const int t8 = level_under < 0.0;
+    const int t9 = !t8;
+    const double t10 = 2.0 * t7;
+    const int t11 = slope < 0.0;
+    const double t12 = t9 ? level_under : 1.0;
+    const double t13 = sqrt(t12);
+    const double t14 = t11 ? (-t13) : t13;
+    const double level_sum = slope + t14; /* water_trough-level_sum */
+    const double t15 = fabs(level_sum);
+    const int t16 = fabs(t10) < (1000.0 * t15);
+    const int level_is_near = t9 && t16; /* water_trough-level_is_near */
+    const double t17 = level_is_near ? level_sum : 1.0;
+    const double t18 = t10 / t17;
+    const double level_near = level_is_near ? (-t18) : 0.0; /* water_trough-level_near */
+    const double h_1_value = h_1 + (level_near * m7); /* water_trough-h_1 */
+    const int t19 = h_1_value < 0.0;
+    const int t20 = !t19;
+    const double h_2_value = h_2 - (level_near * m8); /* water_trough-h_2 */
+    const int t21 = h_2_value < 0.0;
+    const int t22 = !t21;
+    const int t23 = t20 && t22;
+    const int t24 = h_max < h_1_value;
+    const int t25 = !t24;
+    const int t26 = t23 && t25;
+    const int t27 = h_max < h_2_value;
+    const int t28 = !t27;
+    const int t29 = t26 && t28;
+    const int t30 = level_is_near && t29;
     const double m_1 = m9 * h_1_value; /* water_trough-m_1 */
     const double m_2 = m11 * h_2_value; /* water_trough-m_2 */
-    const double t35 = (m12 + (m_1 * (y_1 + (0.5 * h_1_value)))) + (m_2 * (y_2 + (0.5 *
+    const double t31 = (m12 + (m_1 * (y_1 + (0.5 * h_1_value)))) + (m_2 * (y_2 + (0.5 *
         h_2_value)));
-    const double t36 = ((((m10 + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi) * sin_theta) + ((t35 +
+    const double t32 = ((((m10 + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi) * sin_theta) + ((t31 +
         S_t_eta) * cos_theta);
-    const double t37 = 1.0 / t4;
-    const double t38 = ((2.0 * t3) * t3) / (t5 * t4);
-    const double wedge_slope = m6 * ((t4 + t37) + t38); /* water_trough-wedge_slope */
-    const int t39 = t36 < (-wedge_slope);
-    const int t40 = t34 && t39;
-    const int t41 = !t40;
-    const double t42 = 2.0 * t1;
-    const int t43 = t17 < (1000.0 * fabs(t42));
-    const int t44 = t10 && t43;
-    const double t45 = t44 ? (-t42) : 1.0;
-    const double t46 = t16 / t45;
-    const double t47 = t44 ? (-t46) : 0.0;
-    const double h_1_value2 = h_1 + (t47 * m7); /* water_trough-h_1 */
-    const int t48 = h_1_value2 < 0.0;
-    const int t49 = !t48;
-    const double h_2_value2 = h_2 - (t47 * m8); /* water_trough-h_2 */
-    const int t50 = h_2_value2 < 0.0;
-    const int t51 = !t50;
-    const int t52 = t49 && t51;
-    const int t53 = h_max < h_1_value2;
-    const int t54 = !t53;
-    const int t55 = t52 && t54;
-    const int t56 = h_max < h_2_value2;
-    const int t57 = !t56;
-    const int t58 = t55 && t57;
-    const int t59 = t44 && t58;
+    const double t33 = 1.0 / t4;
+    const double t34 = ((2.0 * t3) * t3) / (t5 * t4);
+    const double wedge_slope = m6 * ((t4 + t33) + t34); /* water_trough-wedge_slope */
+    const int t35 = t32 < (-wedge_slope);
+    const int level_near_does = t30 && t35; /* water_trough-level_near_does */
+    const int t36 = !level_near_does;
+    const double t37 = 2.0 * t1;
+    const int t38 = t15 < (1000.0 * fabs(t37));
+    const int level_is_far = t9 && t38; /* water_trough-level_is_far */
+    const double t39 = level_is_far ? (-t37) : 1.0;
+    const double t40 = level_sum / t39;
+    const double level_far = level_is_far ? (-t40) : 0.0; /* water_trough-level_far */
+    const double h_1_value2 = h_1 + (level_far * m7); /* water_trough-h_1 */
+    const int t41 = h_1_value2 < 0.0;
+    const int t42 = !t41;
+    const double h_2_value2 = h_2 - (level_far * m8); /* water_trough-h_2 */
+    const int t43 = h_2_value2 < 0.0;
+    const int t44 = !t43;
+    const int t45 = t42 && t44;
+    const int t46 = h_max < h_1_value2;
+    const int t47 = !t46;
+    const int t48 = t45 && t47;
+    const int t49 = h_max < h_2_value2;
+    const int t50 = !t49;
+    const int t51 = t48 && t50;
+    const int t52 = level_is_far && t51;
     const double m_1_value = m9 * h_1_value2; /* water_trough-m_1 */
     const double m_2_value = m11 * h_2_value2; /* water_trough-m_2 */
-    const double t60 = (m12 + (m_1_value * (y_1 + (0.5 * h_1_value2)))) + (m_2_value * (y_2 + (0.5
+    const double t53 = (m12 + (m_1_value * (y_1 + (0.5 * h_1_value2)))) + (m_2_value * (y_2 + (0.5
         * h_2_value2)));
-    const double t61 = ((((m10 + (m_1_value * x_1)) + (m_2_value * x_2)) + S_t_xi) * sin_theta) +
-        ((t60 + S_t_eta) * cos_theta);
-    const int t62 = t61 < (-wedge_slope);
-    const int t63 = t59 && t62;
-    const int t64 = !t63;
-    const int t65 = t64 && t34;
-    const int t66 = !t65;
-    const int t67 = t41 && t66;
-    const double s_level = t67 ? t47 : t22; /* water_trough-s_level */
-    const int t68 = t67 && t44;
-    const int t69 = !t68;
-    const int t70 = !t67;
-    const int t71 = t70 && t19;
-    const int t72 = !t71;
-    const int t73 = t69 && t72;
-    const int t74 = !t73;
+    const double t54 = ((((m10 + (m_1_value * x_1)) + (m_2_value * x_2)) + S_t_xi) * sin_theta) +
+        ((t53 + S_t_eta) * cos_theta);
+    const int t55 = t54 < (-wedge_slope);
+    const int level_far_does = t52 && t55; /* water_trough-level_far_does */
+    const int t56 = !level_far_does;
+    const int t57 = t56 && t30;
+    const int t58 = !t57;
+    const int level_is_other = t36 && t58; /* water_trough-level_is_other */
+    const double s_level = level_is_other ? level_far : level_near; /* water_trough-s_level */
+    const int t59 = level_is_other && level_is_far;
+    const int t60 = !t59;
+    const int t61 = !level_is_other;
+    const int t62 = t61 && level_is_near;
+    const int t63 = !t62;
+    const int t64 = t60 && t63;
+    const int t65 = !t64;
     const double h_1_value3 = h_1 + (s_level * m7); /* water_trough-h_1 */
-    const int t75 = h_1_value3 < 0.0;
-    const int t76 = !t75;
+    const int t66 = h_1_value3 < 0.0;
+    const int t67 = !t66;
     const double h_2_value3 = h_2 - (s_level * m8); /* water_trough-h_2 */
-    const int t77 = h_2_value3 < 0.0;
-    const int t78 = !t77;
-    const int t79 = t76 && t78;
-    const int t80 = h_max < h_1_value3;
-    const int t81 = !t80;
-    const int t82 = t79 && t81;
-    const int t83 = h_max < h_2_value3;
-    const int t84 = !t83;
-    const int t85 = t82 && t84;
-    const int t86 = t74 && t85;
-    const int no_s_level = !t86; /* water_trough-no_s_level */
+    const int t68 = h_2_value3 < 0.0;
+    const int t69 = !t68;
+    const int t70 = t67 && t69;
+    const int t71 = h_max < h_1_value3;
+    const int t72 = !t71;
+    const int t73 = t70 && t72;
+    const int t74 = h_max < h_2_value3;
+    const int t75 = !t74;
+    const int t76 = t73 && t75;
+    const int t77 = t65 && t76;
+    const int no_s_level = !t77; /* water_trough-no_s_level */
     const double m_1_value2 = m9 * h_1_value3; /* water_trough-m_1 */
     const double m_2_value2 = m11 * h_2_value3; /* water_trough-m_2 */
-    const double t87 = (m12 + (m_1_value2 * (y_1 + (0.5 * h_1_value3)))) + (m_2_value2 * (y_2 +
+    const double t78 = (m12 + (m_1_value2 * (y_1 + (0.5 * h_1_value3)))) + (m_2_value2 * (y_2 +
         (0.5 * h_2_value3)));
-    const double t88 = ((((m10 + (m_1_value2 * x_1)) + (m_2_value2 * x_2)) + S_t_xi) * sin_theta)
-        + ((t87 + S_t_eta) * cos_theta);
-    const int t89 = t88 < (-wedge_slope);
-    const int tops_level = !t89; /* water_trough-tops_level */
+    const double t79 = ((((m10 + (m_1_value2 * x_1)) + (m_2_value2 * x_2)) + S_t_xi) * sin_theta)
+        + ((t78 + S_t_eta) * cos_theta);
+    const int t80 = t79 < (-wedge_slope);
+    const int tops_level = !t80; /* water_trough-tops_level */
     if (tipped) {
       status = ARMILLARY_UNREACHABLE;
     }

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -139,7 +139,7 @@ int water_trough_rest_volume_setup_f64(
       ctx->m11 = t16;
       ctx->y_2 = y_2;
       ctx->S_t_eta = S_t_eta;
-      ctx->ready = 0xc5fbd41aUL;
+      ctx->ready = 0x484ec0fbUL;
     }
   }
   return status;
@@ -168,7 +168,7 @@ int water_trough_rest_volume_step_f64(
   const double m11 = ctx->m11;
   const double y_2 = ctx->y_2;
   const double S_t_eta = ctx->S_t_eta;
-  int status = (ctx->ready == 0xc5fbd41aUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x484ec0fbUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(theta) <= 1000.0)) {
     if (status == ARMILLARY_OK) {
@@ -184,107 +184,108 @@ int water_trough_rest_volume_step_f64(
     const double slope = (m1 * cos_theta) - (m2 * sin_theta); /* water_trough-slope */
     const double t1 = m3 * sin_theta;
     const double unmoved = (m4 * cos_theta) - (m5 * sin_theta); /* water_trough-unmoved */
-    const double t2 = (slope * slope) + ((4.0 * t1) * unmoved);
-    const int t3 = t2 < 0.0;
-    const int t4 = !t3;
-    const double t5 = 2.0 * unmoved;
-    const int t6 = slope < 0.0;
-    const double t7 = t4 ? t2 : 1.0;
-    const double t8 = sqrt(t7);
-    const double t9 = t6 ? (-t8) : t8;
-    const double t10 = slope + t9;
-    const double t11 = fabs(t10);
-    const int t12 = fabs(t5) < (1000.0 * t11);
-    const int t13 = t4 && t12;
-    const double t14 = t13 ? t10 : 1.0;
-    const double t15 = t5 / t14;
-    const double t16 = t13 ? (-t15) : 0.0;
-    const double h_1_value = h_1 + (t16 * m6); /* water_trough-h_1 */
-    const int t17 = h_1_value < 0.0;
-    const int t18 = !t17;
-    const double h_2_value = h_2 - (t16 * m7); /* water_trough-h_2 */
-    const int t19 = h_2_value < 0.0;
-    const int t20 = !t19;
-    const int t21 = t18 && t20;
-    const int t22 = h_max < h_1_value;
-    const int t23 = !t22;
-    const int t24 = t21 && t23;
-    const int t25 = h_max < h_2_value;
-    const int t26 = !t25;
-    const int t27 = t24 && t26;
-    const int t28 = t13 && t27;
+    /* water_trough-rest_under */
+    const double rest_under = (slope * slope) + ((4.0 * t1) * unmoved);
+    const int t2 = rest_under < 0.0;
+    const int t3 = !t2;
+    const double t4 = 2.0 * unmoved;
+    const int t5 = slope < 0.0;
+    const double t6 = t3 ? rest_under : 1.0;
+    const double t7 = sqrt(t6);
+    const double t8 = t5 ? (-t7) : t7;
+    const double rest_sum = slope + t8; /* water_trough-rest_sum */
+    const double t9 = fabs(rest_sum);
+    const int t10 = fabs(t4) < (1000.0 * t9);
+    const int rest_is_near = t3 && t10; /* water_trough-rest_is_near */
+    const double t11 = rest_is_near ? rest_sum : 1.0;
+    const double t12 = t4 / t11;
+    const double rest_near = rest_is_near ? (-t12) : 0.0; /* water_trough-rest_near */
+    const double h_1_value = h_1 + (rest_near * m6); /* water_trough-h_1 */
+    const int t13 = h_1_value < 0.0;
+    const int t14 = !t13;
+    const double h_2_value = h_2 - (rest_near * m7); /* water_trough-h_2 */
+    const int t15 = h_2_value < 0.0;
+    const int t16 = !t15;
+    const int t17 = t14 && t16;
+    const int t18 = h_max < h_1_value;
+    const int t19 = !t18;
+    const int t20 = t17 && t19;
+    const int t21 = h_max < h_2_value;
+    const int t22 = !t21;
+    const int t23 = t20 && t22;
+    const int t24 = rest_is_near && t23;
     const double m_1 = m8 * h_1_value; /* water_trough-m_1 */
     const double m_2 = m10 * h_2_value; /* water_trough-m_2 */
-    const double t29 = (m11 + (m_1 * (y_1 + (0.5 * h_1_value)))) + (m_2 * (y_2 + (0.5 *
+    const double t25 = (m11 + (m_1 * (y_1 + (0.5 * h_1_value)))) + (m_2 * (y_2 + (0.5 *
         h_2_value)));
-    const double t30 = ((((m9 + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi) * sin_theta) + ((t29 +
+    const double t26 = ((((m9 + (m_1 * x_1)) + (m_2 * x_2)) + S_t_xi) * sin_theta) + ((t25 +
         S_t_eta) * cos_theta);
-    const int t31 = t30 < 0.0;
-    const int t32 = t28 && t31;
-    const int t33 = !t32;
-    const double t34 = 2.0 * t1;
-    const int t35 = t11 < (1000.0 * fabs(t34));
-    const int t36 = t4 && t35;
-    const double t37 = t36 ? (-t34) : 1.0;
-    const double t38 = t10 / t37;
-    const double t39 = t36 ? (-t38) : 0.0;
-    const double h_1_value2 = h_1 + (t39 * m6); /* water_trough-h_1 */
-    const int t40 = h_1_value2 < 0.0;
-    const int t41 = !t40;
-    const double h_2_value2 = h_2 - (t39 * m7); /* water_trough-h_2 */
-    const int t42 = h_2_value2 < 0.0;
-    const int t43 = !t42;
-    const int t44 = t41 && t43;
-    const int t45 = h_max < h_1_value2;
-    const int t46 = !t45;
-    const int t47 = t44 && t46;
-    const int t48 = h_max < h_2_value2;
-    const int t49 = !t48;
-    const int t50 = t47 && t49;
-    const int t51 = t36 && t50;
+    const int t27 = t26 < 0.0;
+    const int rest_near_does = t24 && t27; /* water_trough-rest_near_does */
+    const int t28 = !rest_near_does;
+    const double t29 = 2.0 * t1;
+    const int t30 = t9 < (1000.0 * fabs(t29));
+    const int rest_is_far = t3 && t30; /* water_trough-rest_is_far */
+    const double t31 = rest_is_far ? (-t29) : 1.0;
+    const double t32 = rest_sum / t31;
+    const double rest_far = rest_is_far ? (-t32) : 0.0; /* water_trough-rest_far */
+    const double h_1_value2 = h_1 + (rest_far * m6); /* water_trough-h_1 */
+    const int t33 = h_1_value2 < 0.0;
+    const int t34 = !t33;
+    const double h_2_value2 = h_2 - (rest_far * m7); /* water_trough-h_2 */
+    const int t35 = h_2_value2 < 0.0;
+    const int t36 = !t35;
+    const int t37 = t34 && t36;
+    const int t38 = h_max < h_1_value2;
+    const int t39 = !t38;
+    const int t40 = t37 && t39;
+    const int t41 = h_max < h_2_value2;
+    const int t42 = !t41;
+    const int t43 = t40 && t42;
+    const int t44 = rest_is_far && t43;
     const double m_1_value = m8 * h_1_value2; /* water_trough-m_1 */
     const double m_2_value = m10 * h_2_value2; /* water_trough-m_2 */
-    const double t52 = (m11 + (m_1_value * (y_1 + (0.5 * h_1_value2)))) + (m_2_value * (y_2 + (0.5
+    const double t45 = (m11 + (m_1_value * (y_1 + (0.5 * h_1_value2)))) + (m_2_value * (y_2 + (0.5
         * h_2_value2)));
-    const double t53 = ((((m9 + (m_1_value * x_1)) + (m_2_value * x_2)) + S_t_xi) * sin_theta) +
-        ((t52 + S_t_eta) * cos_theta);
-    const int t54 = t53 < 0.0;
-    const int t55 = t51 && t54;
-    const int t56 = !t55;
-    const int t57 = t56 && t28;
-    const int t58 = !t57;
-    const int t59 = t33 && t58;
-    const double s_rest = t59 ? t39 : t16; /* water_trough-s_rest */
-    const int t60 = t59 && t36;
-    const int t61 = !t60;
-    const int t62 = !t59;
-    const int t63 = t62 && t13;
-    const int t64 = !t63;
-    const int t65 = t61 && t64;
-    const int t66 = !t65;
+    const double t46 = ((((m9 + (m_1_value * x_1)) + (m_2_value * x_2)) + S_t_xi) * sin_theta) +
+        ((t45 + S_t_eta) * cos_theta);
+    const int t47 = t46 < 0.0;
+    const int rest_far_does = t44 && t47; /* water_trough-rest_far_does */
+    const int t48 = !rest_far_does;
+    const int t49 = t48 && t24;
+    const int t50 = !t49;
+    const int rest_is_other = t28 && t50; /* water_trough-rest_is_other */
+    const double s_rest = rest_is_other ? rest_far : rest_near; /* water_trough-s_rest */
+    const int t51 = rest_is_other && rest_is_far;
+    const int t52 = !t51;
+    const int t53 = !rest_is_other;
+    const int t54 = t53 && rest_is_near;
+    const int t55 = !t54;
+    const int t56 = t52 && t55;
+    const int t57 = !t56;
     const double h_1_value3 = h_1 + (s_rest * m6); /* water_trough-h_1 */
-    const int t67 = h_1_value3 < 0.0;
-    const int t68 = !t67;
+    const int t58 = h_1_value3 < 0.0;
+    const int t59 = !t58;
     const double h_2_value3 = h_2 - (s_rest * m7); /* water_trough-h_2 */
-    const int t69 = h_2_value3 < 0.0;
-    const int t70 = !t69;
-    const int t71 = t68 && t70;
-    const int t72 = h_max < h_1_value3;
-    const int t73 = !t72;
-    const int t74 = t71 && t73;
-    const int t75 = h_max < h_2_value3;
-    const int t76 = !t75;
-    const int t77 = t74 && t76;
-    const int t78 = t66 && t77;
-    const int no_s_rest = !t78; /* water_trough-no_s_rest */
+    const int t60 = h_2_value3 < 0.0;
+    const int t61 = !t60;
+    const int t62 = t59 && t61;
+    const int t63 = h_max < h_1_value3;
+    const int t64 = !t63;
+    const int t65 = t62 && t64;
+    const int t66 = h_max < h_2_value3;
+    const int t67 = !t66;
+    const int t68 = t65 && t67;
+    const int t69 = t57 && t68;
+    const int no_s_rest = !t69; /* water_trough-no_s_rest */
     const double m_1_value2 = m8 * h_1_value3; /* water_trough-m_1 */
     const double m_2_value2 = m10 * h_2_value3; /* water_trough-m_2 */
-    const double t79 = (m11 + (m_1_value2 * (y_1 + (0.5 * h_1_value3)))) + (m_2_value2 * (y_2 +
+    const double t70 = (m11 + (m_1_value2 * (y_1 + (0.5 * h_1_value3)))) + (m_2_value2 * (y_2 +
         (0.5 * h_2_value3)));
-    const double t80 = ((((m9 + (m_1_value2 * x_1)) + (m_2_value2 * x_2)) + S_t_xi) * sin_theta) +
-        ((t79 + S_t_eta) * cos_theta);
-    const int t81 = t80 < 0.0;
-    const int tops = !t81; /* water_trough-tops */
+    const double t71 = ((((m9 + (m_1_value2 * x_1)) + (m_2_value2 * x_2)) + S_t_xi) * sin_theta) +
+        ((t70 + S_t_eta) * cos_theta);
+    const int t72 = t71 < 0.0;
+    const int tops = !t72; /* water_trough-tops */
     if (no_s_rest) {
       status = ARMILLARY_UNREACHABLE;
     }

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -66,7 +66,7 @@ int water_trough_single_axis_backtrack_setup_f32(
       ctx->m1 = t1;
       ctx->rotation_min = rotation_min;
       ctx->rotation_max = rotation_max;
-      ctx->ready = 0xf348b93bUL;
+      ctx->ready = 0x875e7ca3UL;
     }
   }
   return status;
@@ -88,7 +88,7 @@ int water_trough_single_axis_backtrack_step_f32(
   const float rotation_min = ctx->rotation_min;
   const float rotation_max = ctx->rotation_max;
   const float enu_excess = ((enu_x * enu_x) + (enu_y * enu_y) + (enu_z * enu_z)) - 1.0f;
-  int status = (ctx->ready == 0xf348b93bUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x875e7ca3UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(enu_x) <= 1.001f) ||
       !(fabsf(enu_y) <= 1.001f) ||

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -68,7 +68,7 @@ int water_trough_single_axis_backtrack_setup_f64(
       ctx->m1 = t1;
       ctx->rotation_min = rotation_min;
       ctx->rotation_max = rotation_max;
-      ctx->ready = 0xeb7cde73UL;
+      ctx->ready = 0xd574e74eUL;
     }
   }
   return status;
@@ -90,7 +90,7 @@ int water_trough_single_axis_backtrack_step_f64(
   const double rotation_min = ctx->rotation_min;
   const double rotation_max = ctx->rotation_max;
   const double enu_excess = ((enu_x * enu_x) + (enu_y * enu_y) + (enu_z * enu_z)) - 1.0;
-  int status = (ctx->ready == 0xeb7cde73UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xd574e74eUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(enu_x) <= 1.001) ||
       !(fabs(enu_y) <= 1.001) ||

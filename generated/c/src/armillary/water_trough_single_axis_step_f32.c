@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -43,7 +43,7 @@ int water_trough_single_axis_setup_f32(
     ctx->sin_axis_azimuth = sin_axis_azimuth;
     ctx->cos_axis_tilt = cos_axis_tilt;
     ctx->sin_axis_tilt = sin_axis_tilt;
-    ctx->ready = 0xaf3e562dUL;
+    ctx->ready = 0x655dcb59UL;
   }
   return status;
 }
@@ -60,7 +60,7 @@ int water_trough_single_axis_step_f32(
   const float cos_axis_tilt = ctx->cos_axis_tilt;
   const float sin_axis_tilt = ctx->sin_axis_tilt;
   const float enu_excess = ((enu_x * enu_x) + (enu_y * enu_y) + (enu_z * enu_z)) - 1.0f;
-  int status = (ctx->ready == 0xaf3e562dUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x655dcb59UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(enu_x) <= 1.001f) ||
       !(fabsf(enu_y) <= 1.001f) ||

@@ -7,7 +7,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -45,7 +45,7 @@ int water_trough_single_axis_setup_f64(
     ctx->sin_axis_azimuth = sin_axis_azimuth;
     ctx->cos_axis_tilt = cos_axis_tilt;
     ctx->sin_axis_tilt = sin_axis_tilt;
-    ctx->ready = 0x708f4affUL;
+    ctx->ready = 0x1bd15e5fUL;
   }
   return status;
 }
@@ -62,7 +62,7 @@ int water_trough_single_axis_step_f64(
   const double cos_axis_tilt = ctx->cos_axis_tilt;
   const double sin_axis_tilt = ctx->sin_axis_tilt;
   const double enu_excess = ((enu_x * enu_x) + (enu_y * enu_y) + (enu_z * enu_z)) - 1.0;
-  int status = (ctx->ready == 0x708f4affUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x1bd15e5fUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(enu_x) <= 1.001) ||
       !(fabs(enu_y) <= 1.001) ||

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -133,7 +133,7 @@ int water_trough_stick_band_setup_f32(
       ctx->m8 = t4;
       ctx->m9 = arm * m_all;
       ctx->h_max = h_max;
-      ctx->ready = 0x3954011dUL;
+      ctx->ready = 0x0cdfef86UL;
     }
   }
   return status;
@@ -160,7 +160,7 @@ int water_trough_stick_band_step_f32(
   const int m8 = ctx->m8;
   const float m9 = ctx->m9;
   const float h_max = ctx->h_max;
-  int status = (ctx->ready == 0x3954011dUL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x0cdfef86UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(s) <= 1000.0f)) {
     if (status == ARMILLARY_OK) {

@@ -8,7 +8,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -135,7 +135,7 @@ int water_trough_stick_band_setup_f64(
       ctx->m8 = t4;
       ctx->m9 = arm * m_all;
       ctx->h_max = h_max;
-      ctx->ready = 0x16a3d559UL;
+      ctx->ready = 0x05befcf9UL;
     }
   }
   return status;
@@ -162,7 +162,7 @@ int water_trough_stick_band_step_f64(
   const int m8 = ctx->m8;
   const double m9 = ctx->m9;
   const double h_max = ctx->h_max;
-  int status = (ctx->ready == 0x16a3d559UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0x05befcf9UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(s) <= 1000.0)) {
     if (status == ARMILLARY_OK) {

@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -35,7 +35,7 @@ int water_trough_tube_part_setup_f32(
     }
   } else {
     ctx->m1 = rho * a_t;
-    ctx->ready = 0x069dde20UL;
+    ctx->ready = 0xde7ca8c5UL;
   }
   return status;
 }
@@ -46,7 +46,7 @@ int water_trough_tube_part_step_f32(
     float *Gamma_part)
 {
   const float m1 = ctx->m1;
-  int status = (ctx->ready == 0x069dde20UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xde7ca8c5UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabsf(xi_a) <= 100.0f) ||
       !(fabsf(eta_a) <= 100.0f) ||

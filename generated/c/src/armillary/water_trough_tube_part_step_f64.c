@@ -6,7 +6,7 @@
 #include <float.h>
 #include <math.h>
 
-#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0xed6e03b3UL)
+#if !defined(ARMILLARY_WATER_TROUGH_ABI) || (ARMILLARY_WATER_TROUGH_ABI != 0x773e3c0fUL)
 #error "water_trough.h is of another version than this file: copy both from one release"
 #endif
 
@@ -37,7 +37,7 @@ int water_trough_tube_part_setup_f64(
     }
   } else {
     ctx->m1 = rho * a_t;
-    ctx->ready = 0x189c38a0UL;
+    ctx->ready = 0xdc0f4fd3UL;
   }
   return status;
 }
@@ -48,7 +48,7 @@ int water_trough_tube_part_step_f64(
     double *I_part, double *Gamma_part)
 {
   const double m1 = ctx->m1;
-  int status = (ctx->ready == 0x189c38a0UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
+  int status = (ctx->ready == 0xdc0f4fd3UL) ? ARMILLARY_OK : ARMILLARY_OUT_OF_RANGE;
 
   if (!(fabs(xi_a) <= 100.0) ||
       !(fabs(eta_a) <= 100.0) ||
