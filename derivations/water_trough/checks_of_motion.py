@@ -90,7 +90,7 @@ def _with_friction(kernels, points):
     ]
     yield compare("power of the pump", "parcels", told.pump, booked, 1e-9, points, "power")
     yield compare(
-        "heat of the bearings", "parcels", told.heat, -friction.M_F * points["omega"], 1e-13,
+        "heat of the bearings", "friction", told.heat, -friction.M_F * points["omega"], 1e-13,
         points, "power",
     )  # fmt: skip
     power = [n.power for n in needs] - friction.M_F * points["omega"]

@@ -91,25 +91,24 @@ def _cycle(of, pump, rate, coast):
 
     asked.terminal, asked.direction = True, -1
     slip = _moved(of, lambda t: pace * t, [0.0, 0.0], MOST / of.pulse, asked)
+    told = slip.t[-1]
     if lag:
-        slip = _moved(of, lambda t: pace * t, [0.0, 0.0], slip.t[-1] + lag)
-    stop, (place, speed) = slip.t[-1], slip.y[:, -1]
+        slip = _moved(of, lambda t: pace * (told + t), slip.y[:, -1], lag)
+    stop, (place, speed) = told + lag, slip.y[:, -1]
     speed += of.kick * pump["q_pump"]
     later = 0.0
     if speed > 0:
-        stands = _stands()
-        rest = _moved(of, lambda t: pace * stop, [place, speed], 7 / of.pulse, stands)
+        rest = _moved(of, lambda t: pace * stop, [place, speed], 7 / of.pulse, _stands)
         later, place = rest.t[-1], rest.y[0, -1]
     last = error + rate * (stop + later) - place
     return np.array([wait + stop, place / rate, place, last]), place - pace * stop
 
 
-def _stands():
-    def speed(t, x):
-        return x[1]
+def _stands(t, x):
+    return x[1]
 
-    speed.terminal, speed.direction = True, -1
-    return speed
+
+_stands.terminal, _stands.direction = True, -1
 
 
 def _moved(of, edge, start, length, *events):
